@@ -1,5 +1,5 @@
 #!/bin/bash
-# The house keeps its rules:  architecture.sh ROOT [LIBRARY]
+# Checks the rules of the architecture:  architecture.sh ROOT [LIBRARY]
 # A layer includes the public headers, those of base and its own; outside libraries are met in one layer only; libwhirl.so
 # exports nothing but whirl_*; every public function has a comment.
 set -u
@@ -53,13 +53,13 @@ for folder in src/*/; do
     done < <(grep -roE '#include "\.\./[^"]+"' "$folder" | sed -E 's,#include "([^"]*)",\1,')
 done
 
-# ---- kinds of points and figures are registries: nobody asks which one it is
+# ---- kinds of points and figures are registries: no code tests for a particular kind
 
 while read -r line; do
     [ -n "$line" ] && fail "asks which kind of points it has to do with: $line"
 done < <(grep -rnE 'whirl_analysis_kind\([^;]*->name|is_(resting|traced)\(' src cli --include=*.c --include=*.h |
     grep -v '^src/study/kinds/kinds.c')
-# A table has its role as a value; its name is for people.
+# Code uses the role of a table; its name is only for people.
 while read -r line; do
     [ -n "$line" ] && fail "asks by its name what a table is: $line"
 done < <(grep -rnE 'strcmp\([^,]*name, "(sweep|map|basin|branch|curves|tori|motions|modes|unbalance|response|detail)"|whirl_result_table\([^,]+, "|find_batch\([^)]*"' \
@@ -126,7 +126,7 @@ while read -r line; do
     [ -n "$line" ] && fail "$line: a system header that this test does not know"
 done < <(grep -rE '#include <[a-z0-9_A-Z/]+\.h>' src --include=*.c --include=*.h | grep -vE "<($known)\.h>|<(hdf5|H5[A-Za-z]*|cvodes/|nvector/|sun[a-z]*/)")
 
-# ---- the stable interface rests on nothing that may change
+# ---- stable headers include only stable headers
 
 while read -r line; do
     [ -n "$line" ] && fail "a stable header includes one that may change: $line"
@@ -162,7 +162,7 @@ if [ -n "$library" ] && [ -e "$library" ]; then
     exported=$(nm -D --defined-only --without-symbol-versions "$library" | awk '$2 != "A" {print $3}')
     foreign=$(grep -v '^whirl_' <<<"$exported")
     [ -z "$foreign" ] || fail "libwhirl.so exports: $foreign"
-    # Each function of the headers is there, and nothing that no header declares.
+    # The library exports the functions of the headers and no others.
     declared=$({
         sed -E 's,//.*,,' include/whirl/*.h include/whirl/engine/*.h cmake/version.h.in | grep -vE 'typedef|static inline' | grep -oE '\bwhirl_[a-z0-9_]+\(' | tr -d '('
         sed -nE 's/^#define [a-z_]+ (whirl_[a-z_]+)$/\1/p' src/rotor/assembly.h src/rotor/element.h

@@ -41,7 +41,7 @@ def source_of(path, build, root, layer):
 
 
 def needs_of(build, root, layer):
-    """What every file uses of others, {file: {file}}."""
+    """Files that every file uses, {file: {file}}."""
     objects = {o: source_of(o, build, root, layer) for o in sorted((build / f"CMakeFiles/whirl_{layer}.dir").rglob("*.o"))}
     objects = {o: source for o, source in objects.items() if source}
     if not objects:
@@ -68,7 +68,7 @@ def folders_of(needs):
 
 
 def circles(needs):
-    """Largest sets of which each needs every other one, directly or by way of others."""
+    """Largest sets whose members all need each other, directly or by way of others."""
     def reached(start):
         seen, stack = set(), [start]
         while stack:

@@ -1,7 +1,7 @@
 #!/bin/bash
 # Every file and folder that ARCHITECTURE, CONTRIBUTING and the README of a folder name exists:  documents_name_files.sh ROOT
-# A name is what stands in backticks and has a slash or the ending of a source. It is looked for beside the document, at
-# the root, in include/whirl/engine, and by its end among all files.
+# A name is a text in backticks that has a slash or the ending of a source file. It is looked for next to the document,
+# at the root, in include/whirl/engine, and by its end among all files.
 set -euo pipefail
 cd "$1"
 files=$(find src include cli bindings explorer tests cases scripts docs cmake bench -not -path '*/node_modules/*' | sort)

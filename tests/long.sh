@@ -1,5 +1,5 @@
 #!/bin/bash
-# tests/long.txt names tests that are there, each once:  long.sh ROOT BUILD
+# tests/long.txt names existing tests, each once:  long.sh ROOT BUILD
 # Where a tool is missing so are its tests; in continuous integration none may be.
 set -euo pipefail
 listed=$(grep -v '^#' "$1/tests/long.txt" | awk '{ print $1 }' | sort)

@@ -1,7 +1,5 @@
 #!/bin/bash
-# Runs a test with what mpirun wants where tests run:  mpi.sh COMMAND...
-# As root, with more ranks than cores, by shared memory alone. Exit status 77, and a sentence, where mpirun cannot start
-# anything, as without any network interface; never a hang.
+# Runs a test with the options that mpirun needs for tests:  mpi.sh COMMAND...
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none
 export OMPI_MCA_btl=self,vader OMPI_MCA_btl_vader_single_copy_mechanism=none OMPI_MCA_btl_vader_backing_directory=/tmp

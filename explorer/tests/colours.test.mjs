@@ -1,4 +1,4 @@
-// The colours of regimes: told apart by readers of any colour vision, and the same in page and report.
+// The colours of regimes: distinct for readers of any colour vision, and the same in page and report.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
@@ -37,7 +37,7 @@ test('the distance is that of Sharma, Wu and Dalal', () => {
 
 for (const [theme, { classes, paper }] of Object.entries(themes))
   for (const vision of Object.keys(VISIONS))
-    test(`${theme}: regimes are told apart with ${vision}`, (context) => {
+    test(`${theme}: regimes are distinct with ${vision}`, (context) => {
       assert.equal(classes.length, names.length);
       const all = [...classes, paper].map((colour, i) => ({ name: names[i] ?? 'paper', lab: labOf(colour, vision) }));
       const pairs = all.flatMap((one, i) =>

@@ -35,10 +35,10 @@ study:
   conditions: {low: {}, high: {c: 3 kN.s/m}}
 `;
 
-let address, told, names;
+let address, reported, names;
 before(() => {
   address = makePage('all', COMPRESSOR);
-  told = JSON.parse(command('show', 'all.h5', '--json'));
+  reported = JSON.parse(command('show', 'all.h5', '--json'));
   names = command('figure', 'all.h5', '--list')
     .trim()
     .split('\n')
@@ -86,15 +86,15 @@ test('every statement, every cell of every sheet and every figure is there', asy
       figures.add(name);
   });
   assert.ok(parts >= 9, `${parts} parts`);
-  assert.ok(told.statements.length >= 10 && told.sheets.length >= 10);
-  for (const { what, station, at, asked, found, judged: verdict, clause } of told.statements) {
+  assert.ok(reported.statements.length >= 10 && reported.sheets.length >= 10);
+  for (const { what, station, at, asked, found, judged: verdict, clause } of reported.statements) {
     const wanted = [at?.text, what, station, asked.text, found.text, verdict.text, clause].filter(Boolean);
     assert.ok(
       words.some((text) => wanted.every((part) => text.includes(part))),
       `${wanted.join(' | ')} in none of\n${words.join('\n')}`,
     );
   }
-  for (const { table, name, columns, rows } of told.sheets) {
+  for (const { table, name, columns, rows } of reported.sheets) {
     const [heading, ...seen] = sheets.get(`${table}/${name}`) ?? [[]];
     const empty = (cell) => cell === null || cell === '' || cell.length === 0;
     const kept = columns.map((_, c) => c).filter((c) => rows.some((row) => !empty(row[c])));
@@ -134,7 +134,7 @@ test('the page begins with the drawing of this machine alone; live views begin a
   // The numbers are of that condition.
   const csv = (await saved(page, '.rest .map-card:not([hidden])', 'csv')).bytes.toString('utf8').trim().split(/\r?\n/);
   const largest = Math.max(...csv.slice(1).map((line) => Number(line.split(',').at(-1))));
-  const sheet = told.sheets.find(({ table, name }) => table === 'unbalance_high' && name === 'largest');
+  const sheet = reported.sheets.find(({ table, name }) => table === 'unbalance_high' && name === 'largest');
   const [, peak] = sheet.rows.find(([station]) => station === 'right'); // m, and the page has um
   assert.ok(Math.abs(1e-6 * largest - peak) <= 1e-4 * peak, `${largest} um, expected ${peak} m`);
   await page.keyboard.press('Control+z');
@@ -157,7 +157,7 @@ test('an address leads to a part; one without such a part to the first', async (
 
 test('the numbers of a sheet are saved with all digits', async () => {
   const { page, complaints, close } = await opened('#part=modes_low');
-  const sheet = told.sheets.find(({ table, name }) => table === 'modes_low' && name === 'lowest');
+  const sheet = reported.sheets.find(({ table, name }) => table === 'modes_low' && name === 'lowest');
   const [file] = await Promise.all([
     page.waitForEvent('download'),
     page.click('[data-sheet="modes_low/lowest"] [data-save="csv"]'),

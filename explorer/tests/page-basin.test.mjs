@@ -53,14 +53,14 @@ test('attractors have the shares that the command tells', { timeout: 300_000 }, 
   const { page, complaints, close } = await opened('');
   assert.equal(await page.inputValue('select[aria-label="What the map shows"]'), 'attractor');
   const percent = (share) => `${(100 * share).toFixed(1)} %`;
-  const told = attractors.reduce((sum, { starts }) => sum + starts, 0);
+  const reported = attractors.reduce((sum, { starts }) => sum + starts, 0);
   const entries = await page.$$eval(`${CARD} .legend-entry`, (all) => all.map(({ textContent }) => textContent));
   assert.deepEqual(entries, [
     ...attractors.map(({ regime, period, share, error }) => {
       const name = regime === 'periodic' ? `P-${period}` : regime;
       return `${name} ${percent(share)} \u00b1 ${percent(error)}`;
     }),
-    ...(told < labels.length ? [`unknown ${labels.length - told}`] : []),
+    ...(reported < labels.length ? [`unknown ${labels.length - reported}`] : []),
   ]);
   assert.match(await page.textContent('.map-rest'), /^attractor (\d|unknown) of \d/);
   assert.deepEqual(complaints, []);

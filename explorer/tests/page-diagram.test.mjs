@@ -147,8 +147,8 @@ test('points that follow one another end with the verdicts of the case, there an
     .map((line) => line.split(','));
   const points = pointsOf('carried.yaml');
   assert.equal(mine.length, points.length);
-  const told = points.map(({ parameters, verdict }) => `${parameters.omega.toPrecision(6)} ${verdict}`).sort();
-  assert.deepEqual(mine.map(([omega, , verdict]) => `${Number(omega).toPrecision(6)} ${verdict}`).sort(), told);
+  const reported = points.map(({ parameters, verdict }) => `${parameters.omega.toPrecision(6)} ${verdict}`).sort();
+  assert.deepEqual(mine.map(([omega, , verdict]) => `${Number(omega).toPrecision(6)} ${verdict}`).sort(), reported);
   assert.deepEqual(complaints, []);
   await close();
 });

@@ -18,7 +18,7 @@ async function type(page, field, text) {
 }
 
 /// The sentence beside the parameters, which names no place of a file.
-async function told(page, starts) {
+async function problemOf(page, starts) {
   await page.waitForFunction(
     (start) => document.querySelector('.settings-card .trouble').textContent.startsWith(start),
     starts,
@@ -34,22 +34,22 @@ test('an error names the control, what was found and what is expected', async ()
   const { page, complaints, close } = await open(`${address}#at=3.8`);
   await settled(page);
   await type(page, '#parameter-kappa', '-3');
-  assert.match(await told(page, 'kappa: '), /^kappa: is -3 N\/m, expected a number of at least 0 N\/m$/);
+  assert.match(await problemOf(page, 'kappa: '), /^kappa: is -3 N\/m, expected a number of at least 0 N\/m$/);
   await page.click('button[aria-label="Reset kappa to the case"]');
   await type(page, '#parameter-zeta', '-0.5');
   assert.match(
-    await told(page, 'zeta: '),
+    await problemOf(page, 'zeta: '),
     /^zeta: \w.* = 2\*zeta is -1 N s\/m, expected a number of at least 0 N s\/m$/,
   );
   await page.click('button[aria-label="Reset zeta to the case"]');
   await type(page, '#parameter-e', '-2');
   assert.match(
-    await told(page, 'zeta, e: '),
+    await problemOf(page, 'zeta, e: '),
     /^zeta, e: \w.* = e\*zeta is -0\.2 m, expected a number of at least 0 m$/,
   );
   await page.click('button[aria-label="Reset e to the case"]');
   await type(page, '#value-a', '-1');
-  assert.match(await told(page, 'omega: '), /^omega: is -1 rad\/s, expected a number above 0 rad\/s/);
+  assert.match(await problemOf(page, 'omega: '), /^omega: is -1 rad\/s, expected a number above 0 rad\/s/);
   assert.deepEqual(complaints, []);
   await close();
 });
@@ -57,14 +57,14 @@ test('an error names the control, what was found and what is expected', async ()
 test('so do errors of an address, and of a diagram', async () => {
   const { page, complaints, close } = await open(`${address}#at=3.8&set=kappa%3D-3`);
   const sentence = 'kappa: is -3 N/m, expected a number of at least 0 N/m';
-  assert.equal(await told(page, 'kappa: '), sentence);
+  assert.equal(await problemOf(page, 'kappa: '), sentence);
   await page.click('button:text-is("Recompute")');
   await page.waitForTimeout(500);
-  assert.equal(await told(page, 'kappa: '), sentence);
+  assert.equal(await problemOf(page, 'kappa: '), sentence);
   await page.click('button[aria-label="Reset kappa to the case"]');
   await settled(page);
   await type(page, '#parameter-mu', 'few');
-  assert.equal(await told(page, 'mu: '), 'mu: few is not a number');
+  assert.equal(await problemOf(page, 'mu: '), 'mu: few is not a number');
   assert.deepEqual(complaints, []);
   await close();
 });

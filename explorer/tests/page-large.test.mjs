@@ -161,15 +161,15 @@ test('a map of a million cells appears, and each of them can be seen', { timeout
     times.push(Date.now() - start);
   }
   assert.ok(await page.isVisible(`${card} button:has-text("whole")`));
-  const told = new Set();
+  const columns = new Set();
   for (const part of [0.1, 0.35, 0.6, 0.9]) {
     await page.mouse.move(box.x + box.width * part, y);
     const place = await page.textContent('.map-place');
     const column = Math.round((Number(/^a (\S+), /.exec(place)[1]) - 1) * (side - 1));
     assert.equal(await page.textContent('.map-cell .verdict'), `P-${1 + (column % 4)}`);
-    told.add(column);
+    columns.add(column);
   }
-  assert.equal(told.size, 4);
+  assert.equal(columns.size, 4);
   await page.click(`${card} button:has-text("whole")`);
   assert.ok(await page.isHidden(`${card} button:has-text("whole")`));
   times.sort((a, b) => a - b);

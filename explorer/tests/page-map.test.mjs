@@ -74,7 +74,7 @@ async function opened(hash = '') {
   return all;
 }
 
-const told = async (page) => ({
+const cellTexts = async (page) => ({
   place: await page.textContent('.map-place'),
   verdict: await page.textContent('.map-cell .verdict'),
   rest: await page.textContent('.map-rest'),
@@ -95,7 +95,7 @@ test('what is told of cells is what the result holds of them', { timeout: 300_00
   }
   for (const point of points.filter((_, i) => i % 7 === 0)) {
     await page.mouse.move(...(await placeOf(page, point)));
-    const { place, verdict, rest } = await told(page);
+    const { place, verdict, rest } = await cellTexts(page);
     const [, omega, e] = /^omega (\S+) rad\/s, e (\S+) m:$/.exec(place);
     near(Number(omega), point.omega, 1e-5);
     near(Number(e), point.e, 1e-5);
@@ -184,7 +184,7 @@ test('keys walk from cell to cell; the address holds the cell, and is undone', {
   await close();
   const again = await open(reached);
   await settled(again.page);
-  assert.equal((await told(again.page)).place, 'omega 1.5 rad/s, e 0.4 m:');
+  assert.equal((await cellTexts(again.page)).place, 'omega 1.5 rad/s, e 0.4 m:');
   assert.deepEqual(again.complaints, []);
   await again.close();
 });
@@ -274,7 +274,7 @@ test('finer cells are computed where one looks, and are those of a run there', {
     [0.9, 0.8],
   ]) {
     await page.mouse.click(...at(right, up));
-    const own = await told(page);
+    const own = await cellTexts(page);
     // Wait for the verdict of the motion itself: the pane shows the one before until the engine has read the new
     // setting.
     await page.waitForFunction((name) => document.querySelector('.pane-a .verdict').textContent === name, own.verdict, {

@@ -166,12 +166,12 @@ test('fitted parameters are sliders with errors, measured numbers lie over the f
     ['k', STIFFNESS / 1e6, 'MN/m'],
     ['e', ECCENTRICITY * 1e6, 'um'],
   ]) {
-    const told = await page.textContent(`#parameter-${name}-fit`);
+    const shown = await page.textContent(`#parameter-${name}-fit`);
     const [, value, error, low, high] = new RegExp(`fitted (\\S+) \u00b1 (\\S+) ${unit}; 95 %: (\\S+) to (\\S+)$`)
-      .exec(told)
+      .exec(shown)
       .map(Number);
-    assert.ok(low <= truth && truth <= high && high - low < 5 * error, told);
-    assert.ok(Math.abs(Number(await page.inputValue(`#parameter-${name}`)) - value) < error, told);
+    assert.ok(low <= truth && truth <= high && high - low < 5 * error, shown);
+    assert.ok(Math.abs(Number(await page.inputValue(`#parameter-${name}`)) - value) < error, shown);
     // The bar is as wide, as part of the slider, as twice the error is of its range: 20 half-widths of the interval.
     const [bar, slider] = await page.$eval(`.parameter:has(#parameter-${name}) .slider`, (all) =>
       ['.fit-error', 'input'].map((part) => all.querySelector(part).getBoundingClientRect().width),

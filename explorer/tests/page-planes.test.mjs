@@ -85,9 +85,9 @@ test('every plane tells what the result holds of it', { timeout: 300_000 }, asyn
     assert.equal(table.length, mine.length);
     assert.equal(mine.length, 24);
     assert.ok(mine.filter(({ exponent }) => Number.isFinite(exponent)).length > 12);
-    const told = await page.$$eval(`${CARD} .legend .count`, (all) => all.map((one) => Number(one.textContent)));
+    const reported = await page.$$eval(`${CARD} .legend .count`, (all) => all.map((one) => Number(one.textContent)));
     assert.equal(
-      told.reduce((sum, count) => sum + count, 0),
+      reported.reduce((sum, count) => sum + count, 0),
       24,
     );
     for (const point of mine) {

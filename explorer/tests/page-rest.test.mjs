@@ -87,11 +87,13 @@ test('modes are those of the result file, in the diagram, the table and the shap
     near(found[4], Number(whirl[i][4][1]), 1e-6, 'the whirl');
   });
   const at = stored.filter((cells) => Number(cells[1][1]) === 3000);
-  const told = await page.$$eval('.rest .pane .numbers tbody tr', (rows) =>
+  const reported = await page.$$eval('.rest .pane .numbers tbody tr', (rows) =>
     rows.map((row) => [...row.cells].map((cell) => cell.textContent)),
   );
-  assert.ok(told.length >= 4);
-  told.forEach((cells, i) => near(Number(cells[3]), Number(at[i][4][1]) / (2 * Math.PI), 5e-5 * cells[3], 'told'));
+  assert.ok(reported.length >= 4);
+  reported.forEach((cells, i) =>
+    near(Number(cells[3]), Number(at[i][4][1]) / (2 * Math.PI), 5e-5 * cells[3], 'reported'),
+  );
   const second = exported('modes', 'modes-modes-shape.csv').filter(
     (cells) => cells[1][1] === '3000' && cells[4][1] === '2',
   );
@@ -143,12 +145,12 @@ test('shafts bend between stations as in the figures of the library', async () =
 test('critical speeds stand there with five figures, and are a press away', async () => {
   const { page, complaints, close } = await opened(`${modes}#at=100`);
   const located = exported('modes', 'modes-modes-critical.csv');
-  const told = await page.$$eval('.rest .map-card .numbers tbody tr', (rows) =>
+  const reported = await page.$$eval('.rest .map-card .numbers tbody tr', (rows) =>
     rows.map((row) => [...row.cells].map((cell) => cell.textContent)),
   );
   assert.ok(located.length >= 2);
-  assert.equal(told.length, located.length);
-  told.forEach((cells, i) => {
+  assert.equal(reported.length, located.length);
+  reported.forEach((cells, i) => {
     const rpm = (Number(located[i][5][1]) * 30) / Math.PI;
     near(Number(cells[1]), rpm, 5e-5 * rpm, 'the critical speed');
     assert.ok(
@@ -158,7 +160,7 @@ test('critical speeds stand there with five figures, and are a press away', asyn
     assert.match(cells[0], Number(located[i][9][1]) > 0.05 ? /forward/ : /backward/);
   });
   await page.click('.rest .map-card .numbers button >> nth=0');
-  const goal = Number(told[0][1]);
+  const goal = Number(reported[0][1]);
   await page.waitForFunction((rpm) => Math.abs(Number(document.querySelector('#value-rest').value) - rpm) <= 50, goal);
   assert.deepEqual(complaints, []);
   await close();

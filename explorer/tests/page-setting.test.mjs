@@ -104,8 +104,8 @@ test('a stored diagram keeps its own length scale, on screen and in the file', a
   const before = [await csv(page, '.map-card'), await csv(page, '.panel-centreline')];
   const radius = (text, line) => Number(text.split('\r\n')[line].split(',')[6]);
   const { points } = JSON.parse(command('run', 'bearing.yaml', '--json=full', '-q'));
-  const told = points[0].stations.journal.max_radius * 200;
-  assert.ok(Math.abs(radius(before[0], 1) - told) < 1e-5 * told, 'micrometres of a clearance of 0.2 mm');
+  const reported = points[0].stations.journal.max_radius * 200;
+  assert.ok(Math.abs(radius(before[0], 1) - reported) < 1e-5 * reported, 'micrometres of a clearance of 0.2 mm');
   const [value, x, y, ratio] = before[1].split('\r\n')[2].split(',').map(Number);
   assert.equal(value, 0.1);
   assert.ok(Math.abs(ratio - Math.hypot(x, y) / 200) < 1e-6, 'of the clearance');
@@ -181,8 +181,11 @@ test('a stored run along the clearance has the micrometres of each of its machin
   // The scales come from the engine, a moment after the page is there.
   for (let i = 0; i < 50 && lines[4][6] < 1.5 * points[4].stations.journal.max_radius * 200; i++) lines = await read();
   points.forEach(({ parameters, stations }, i) => {
-    const told = stations.journal.max_radius * parameters.c * 1e6;
-    assert.ok(Math.abs(lines[i][6] - told) < 1e-5 * told, `at c = ${parameters.c}: ${lines[i][6]} and ${told}`);
+    const reported = stations.journal.max_radius * parameters.c * 1e6;
+    assert.ok(
+      Math.abs(lines[i][6] - reported) < 1e-5 * reported,
+      `at c = ${parameters.c}: ${lines[i][6]} and ${reported}`,
+    );
   });
   // The page opens at the point nearest to the middle that the run is sure of.
   const cursor = Number(await page.inputValue('#value-a'));

@@ -1,5 +1,5 @@
 #!/bin/bash
-# Every file that says the version says that of CMakeLists.txt:  versions.sh ROOT WHIRL
+# Every copy of the version is that of CMakeLists.txt:  versions.sh ROOT WHIRL
 set -u
 cd "$1" || exit 1
 version=$(sed -n 's/^project(whirl VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)

@@ -1,6 +1,7 @@
 #!/bin/bash
-# A program of other sources does not go on where another one stopped:  changed_program.sh WHIRL SOURCE GOOD.yaml
-# The hash of the sources follows every one of them, and stands in the program; a program with another hash refuses the journal.
+# A program of other sources does not continue the journal of this one:  changed_program.sh WHIRL SOURCE GOOD.yaml
+# The hash of the sources depends on every one of them and is part of the program; a program with another hash refuses
+# the journal.
 set -u
 whirl=$(realpath "$1")
 source=$(realpath "$2")

@@ -1,4 +1,4 @@
-"""check_agrees.py WHIRL: what `whirl run` refuses, `whirl check` refuses before it says good, with the same sentence.
+"""check_agrees.py WHIRL: every case that `whirl run` refuses is refused by `whirl check`, with the same sentence.
 
 Every option of every study is set to values that no study can take, that some cannot, and that all can. `check` and
 `run` must agree on each case, and a case that is called good is never refused.
@@ -35,7 +35,7 @@ BRANCH = "parameter: omega, from: 100, to: 120, points: 20, rtol: 1e-9"
 NUMBERS = ["0", "-1", "2.5", "1e30"]
 STATIONS = ["nowhere", "disc", "right", "[disc, left]", "[]"]
 RULE = "running_to: 3000 rpm, weight: 12 kg"
-# Study: what it always has, then keys with their values.
+# Study: its fixed keys, then keys with their values.
 STUDIES = {
     "modes": (OVER, {"count": NUMBERS, "orders": NUMBERS, "line_frequency": NUMBERS, "running_to": NUMBERS}),
     "unbalance": (
@@ -69,7 +69,7 @@ STUDIES = {
         },
     ),
 }
-# Machines whose motions leave their bounds: at once, or after some revolutions.
+# Machines whose motions diverge: at once, or after some revolutions.
 FLEEING = MACHINE.replace("KXX", "-1e9")
 GROWING = MACHINE.replace("KXX", "= k, kxy: 2e7, kyx: -2e7")
 BESIDE = {

@@ -1,4 +1,4 @@
-"""Of a result with starts from neighbours: each begins where a motion of the neighbour that it names ended, comes after
+"""Checks a result with starts from neighbours: each begins where a motion of the neighbour that it names ended, comes after
 all others, and counts in no share: check_neighbours.py RESULT.h5 TABLE"""
 import sys
 

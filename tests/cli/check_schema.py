@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""JSON documents are what docs/reference/result.schema.json says:  check_schema.py SCHEMA DOCUMENT...
+"""JSON documents are valid by docs/reference/result.schema.json:  check_schema.py SCHEMA DOCUMENT...
 
 Sheets have a cell for every column besides, which a schema cannot say. A document in which a part is missing, or of
 another kind, must be refused.

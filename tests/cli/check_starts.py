@@ -1,4 +1,4 @@
-"""Of a result with several starts: the first start of every place has the bits of the study without starts, all starts
+"""Checks a result with several starts: the first start of every place has the bits of the study without starts, all starts
 lie in their ranges, and shares are counts: check_starts.py STARTS.h5 PLAIN.h5 TABLE COUNT"""
 import sys
 

@@ -38,10 +38,10 @@ for of in sys.argv[1:]:
     assert set(w for w in metric[0] if not w.startswith(("bearing", "seal"))) <= set(metric[1]), "check says others"
     for si, us in zip(metric[1], customary[1], strict=True):
         assert quantity.sub("#", si) == quantity.sub("#", us), (si, us)
-        for (value, unit), (told, own) in zip(quantity.findall(si), quantity.findall(us), strict=True):
+        for (value, unit), (printed, own) in zip(quantity.findall(si), quantity.findall(us), strict=True):
             name, size, zero = shown[unit]
             right = float(value) / size - zero
-            assert own == name and abs(float(told) - right) <= 5.1e-4 * abs(right), (
+            assert own == name and abs(float(printed) - right) <= 5.1e-4 * abs(right), (
                 si,
                 us,
             )

@@ -1,5 +1,5 @@
 #!/bin/bash
-# Every method in every kind of study, on 1 thread and on several: nobody crashes, and threads change no digit.
+# Every method in every kind of study, on 1 thread and on several: no run crashes, and threads change no digit.
 #   every_study.sh GOOD.yaml        whirl is on the PATH; under a sanitizer it stops the script at what it finds
 set -euo pipefail
 good=$1
@@ -30,7 +30,7 @@ studies=(
 )
 threads=(2 3 4 5 7 8 12 16)
 
-# The case that stands in $1: its JSON by 1 thread and by several. The other arguments go to whirl.
+# JSON of the case in file $1, by 1 thread and by several. The other arguments go to whirl.
 runs=0
 compare() {
     local case=$1 number=${threads[$((runs % ${#threads[@]}))]}

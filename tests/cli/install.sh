@@ -6,11 +6,11 @@ build=$(realpath "$1")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
-cmake --install "$build" --prefix "$folder/first" >told
-# What is left out is said, and nothing else.
+cmake --install "$build" --prefix "$folder/first" >printed
+# Parts that are not installed are listed, and no others.
 for part in "bindings/octave/whirl_mex.mex Octave's gateway" "whirl-mpi whirl-mpi" "explorer/template.html the explorer's page"; do
     said=no there=no
-    grep -q "Not installed: ${part#* }" told && said=yes
+    grep -q "Not installed: ${part#* }" printed && said=yes
     [ -e "$build/${part%% *}" ] && there=yes
     [ $said != $there ] || { echo "${part#* }: built: $there, said to be left out: $said"; exit 1; }
 done

@@ -50,7 +50,7 @@ def main(result, page):
         name = plain(re.search(r"<strong>(.*?)</strong>", item, re.S).group(1)).rstrip(".")
         sentences[name] = plain(item)
     table = plain(first.split("</ol>")[1])
-    faults, held, judged = [], 0, 0
+    faults, satisfied, judged = [], 0, 0
     whole = sentences.get("What is asked for", "")
     for row in document.get("statements", []):
         texts = [row[key]["text"] for key in ("asked", "found", "judged") if row[key]["text"]]
@@ -66,12 +66,12 @@ def main(result, page):
         if "clause" not in row:
             continue
         judged += row["verdict"] != "none asked for"
-        held += row["verdict"] == "holds"
+        satisfied += row["verdict"] == "holds"
         named = re.search(rf"{row['verdict']}: [^;]*{re.escape(row['what'])} \({re.escape(row['table'])}\)", whole)
         if bool(named) != (row["verdict"] in ("fails", "not known")):
             faults.append(f"{row['what']} of {row['table']} {row['verdict']}, beside {whole!r}")
-    if judged and f"{held} of {judged} hold" not in whole:
-        faults.append(f"{held} of {judged} hold, beside {whole!r}")
+    if judged and f"{satisfied} of {judged} hold" not in whole:
+        faults.append(f"{satisfied} of {judged} hold, beside {whole!r}")
     known = [value for value, _ in numbers(rest)]
     checked = 0
     for name, sentence in sentences.items():

@@ -23,7 +23,7 @@ MIL = 25.4e-6
 UNITS = {"mil p-p": MIL, "mil": MIL, "s": 1.0, "N": 1.0, "MN/m": 1e6, "mm 0-p": 1e-3, "rpm": RPM, "Hz": 2.0 * math.pi, "rad/s": 1.0, "1/s": 1.0, "%": 1.0, "N/m": 1.0, "µm p-p": 1e-6, "µm": 1e-6,
          "mm": 1e-3, "": 1.0}
 
-# What has numbers and is no finding.
+# Sentences with numbers that are no findings.
 FIXED = {
     r"\d+\. [A-Z][a-z, -]+|Contacts of a run": "a title",
     r"Values before and after a jump, on the way up .*": "what a jump is",
@@ -31,7 +31,7 @@ FIXED = {
     r"Of the machine without damping, the lowest 6 of each direction\.": "how many are listed",
     r"Natural frequencies over the speed \(Campbell diagram\), .*": "what the chapter has",
     r"Critical speeds as peaks of all stations, .*": "the method",
-    r"The least logarithmic decrement of forward modes .*": "the method",
+    r"The (least|smallest) logarithmic decrement of (the )?forward modes .*": "the method",
     r"Logarithmic decrements with bearings, .*": "what the chapter has",
     r"Critical speeds and thresholds of stability": "a title",
     r"Amplitudes say whether they are zero to peak \(0-p\) or peak to peak \(p-p\)\.": "the convention",
@@ -123,7 +123,7 @@ def stability_of_modes(result, own):
 
 
 def critical(result, own):
-    """Modes cross the speed, or the growth its zero, between the points on both sides of what is told."""
+    """Modes cross the speed, or the growth its zero, between the points on both sides of what is reported."""
     table, text = own["table"], own["found"]["text"]
     values, speed = result.values(table), result.field(table, "modes/speed")
     frequency, growth = result.field(table, "modes/frequency"), result.field(table, "modes/stability")
@@ -142,12 +142,12 @@ def critical(result, own):
         assert below[0] != below[1], f"no frequency crosses the speed near {shown} rpm"
     everywhere = re.search(r"unstable at all (\d+) values|unstable at (\d+) of (\d+) values", rest)
     if everywhere:
-        told = int(everywhere[1] or everywhere[2])
-        assert told == np.sum(growth > 0), f"{np.sum(growth > 0)} are"
+        reported = int(everywhere[1] or everywhere[2])
+        assert reported == np.sum(growth > 0), f"{np.sum(growth > 0)} are"
     more = re.search(r"and (\d+) more", rest)
     rows = np.isfinite(result.field(table, "modes/critical")[..., 0]).sum()
-    told = len(thresholds) + len(re.findall(r"[\d.]+ rpm", rest)) + (int(more[1]) if more else 0)
-    assert not rows or everywhere or told == rows, f"{rows} are located"
+    reported = len(thresholds) + len(re.findall(r"[\d.]+ rpm", rest)) + (int(more[1]) if more else 0)
+    assert not rows or everywhere or reported == rows, f"{rows} are located"
 
 
 def frequencies(result, own):
@@ -186,11 +186,11 @@ def probed(result, table):
 
 
 def margin(result, own):
-    """The peak told is one of the response there; what is asked for follows from its amplification by API 617."""
+    """The reported peak is one of the response there; the required margin follows from its amplification by API 617."""
     table, (low, high) = own["table"], running(result, own["table"])
     speed, probe = result.field(table, "unbalance/speed"), result.field(table, "unbalance/probe")
     peaks = [peak for peak in result.sheet(table, "peaks") if peak["asked"] and peak["asked"] > 0]
-    held = [peak for peak in peaks if peak["margin"] is not None and peak["margin"] >= peak["asked"]]
+    satisfied = [peak for peak in peaks if peak["margin"] is not None and peak["margin"] >= peak["asked"]]
     for peak in peaks:
         factor, side = peak["amplification"], peak["side"]
         asked = 17 * (1 - 1 / (factor - 1.5)) + (10 if side == "above" else 0)
@@ -201,14 +201,14 @@ def margin(result, own):
         if side != "within":
             assert abs(asked - peak["asked"]) < 0.02 and abs(had - peak["margin"]) < 1e-6, f"{peak}: {asked}, {had}"
         assert peak["station"] in probed(result, table) and len(window) and peak["amplitude"] > 0, f"{peak}"
-    assert all(peak["verdict"].startswith("holds") == (peak in held) for peak in peaks), "verdicts of peaks"
+    assert all(peak["verdict"].startswith("holds") == (peak in satisfied) for peak in peaks), "verdicts of peaks"
     reaches = (np.diff(speed) > 0).all() and speed[0] <= low * (1 + 1e-9) and speed[-1] >= high * (1 - 1e-9)
-    verdict = "fails" if len(held) < len(peaks) else "not known" if not reaches else "holds" if peaks else "none asked for"
-    assert own["verdict"] == verdict, f"{len(held)} of {len(peaks)} peaks"
+    verdict = "fails" if len(satisfied) < len(peaks) else "not known" if not reaches else "holds" if peaks else "none asked for"
+    assert own["verdict"] == verdict, f"{len(satisfied)} of {len(peaks)} peaks"
     match = re.match(r"holds: (\d+) of (\d+) peaks|fails: (\d+) of (\d+) peaks", own["judged"]["text"])
     if match:
-        told = (int(match[1]), int(match[2])) if match[1] else (int(match[4]) - int(match[3]), int(match[4]))
-        assert told == (len(held), len(peaks)), f"{len(held)} of {len(peaks)} hold"
+        reported = (int(match[1]), int(match[2])) if match[1] else (int(match[4]) - int(match[3]), int(match[4]))
+        assert reported == (len(satisfied), len(peaks)), f"{len(satisfied)} of {len(peaks)} hold"
     if peaks:
         worst = min(peaks, key=lambda peak: -math.inf if peak["margin"] is None else peak["margin"] - peak["asked"])
         shown = [worst["asked"]] + ([] if worst["margin"] is None else [worst["margin"]]) + [worst["speed"]]
@@ -229,20 +229,20 @@ def scaling(result, table):
 
 def vibration(result, own):
     limit, largest = scaling(result, own["table"])
-    told = own["found"]["values"][0]
+    reported = own["found"]["values"][0]
     # Between points it may be larger, by a curve through them.
-    assert np.isclose(own["asked"]["values"][0], limit) and largest <= told * (1 + 1e-9) and told < 1.2 * largest + 1e-12, largest
-    assert own["verdict"] == ("fails" if told > limit else "holds")
+    assert np.isclose(own["asked"]["values"][0], limit) and largest <= reported * (1 + 1e-9) and reported < 1.2 * largest + 1e-12, largest
+    assert own["verdict"] == ("fails" if reported > limit else "holds")
 
 
 def scaled(result, own):
     if own["found"]["text"].startswith("none: "):
         return
     limit, largest = scaling(result, own["table"])
-    told = own["found"]["values"]
+    reported = own["found"]["values"]
     match = re.search(r"responses are scaled by ([\d.]+) \(6 at most\)", own["found"]["text"])
-    assert np.isclose(told[0], limit) and largest <= told[1] * (1 + 1e-9) and told[1] < 1.2 * largest + 1e-12, largest
-    assert match and rounds_to(min(6.0, limit / told[1]), match[1])
+    assert np.isclose(reported[0], limit) and largest <= reported[1] * (1 + 1e-9) and reported[1] < 1.2 * largest + 1e-12, largest
+    assert match and rounds_to(min(6.0, limit / reported[1]), match[1])
 
 
 def clearances(result, own):
@@ -253,9 +253,9 @@ def clearances(result, own):
     share = 100 * factor * result.field(table, "unbalance/axes")[..., 0] / result.field(table, "unbalance/clearance")
     share = np.nan_to_num(share[: last + 1], posinf=0)
     point, station = np.unravel_index(share.argmax(), share.shape)
-    told = own["found"]["values"]
-    assert abs(told[0] / share.max() - 1) < 1e-3 and match[2] == result.stations[station], f"{share.max()} %"
-    assert np.isclose(told[1], speed[point]), f"{speed[point]} rad/s"
+    reported = own["found"]["values"]
+    assert abs(reported[0] / share.max() - 1) < 1e-3 and match[2] == result.stations[station], f"{share.max()} %"
+    assert np.isclose(reported[1], speed[point]), f"{speed[point]} rad/s"
     assert own["verdict"] == ("holds" if share.max() <= 75 else "fails")
 
 
@@ -293,8 +293,8 @@ def level_two(result, own):
 
 
 def lines_beside(result, own):
-    """The line told is one of its station's at that value, and none there is larger on this side of the synchronous one;
-    where none is told, no point of a few has one."""
+    """The line reported is one of its station's at that value, and none there is larger on this side of the synchronous one;
+    where none is reported, no point of a few has one."""
     table, below = own["table"], own["what"].startswith("sub")
     lines = result.field(table, "spectrum/lines")
     order, size = lines[..., 0], np.fmax(lines[..., 1], lines[..., 2])
@@ -306,10 +306,10 @@ def lines_beside(result, own):
         return
     match = re.match(r"largest .* at order (\S+) of (\w+), \w+ = ", own["found"]["text"])
     point, station, row = np.unravel_index(seen.argmax(), seen.shape)
-    told = own["found"]["values"]
-    assert match and seen[point, station, row] >= told[0] * (1 - 1e-9), f"{seen.max()} m"
+    reported = own["found"]["values"]
+    assert match and seen[point, station, row] >= reported[0] * (1 - 1e-9), f"{seen.max()} m"
     if len(seen) <= 8:
-        assert np.isclose(told[0], seen.max()) and np.isclose(told[1], result.values(table)[point]), f"{seen.max()} m"
+        assert np.isclose(reported[0], seen.max()) and np.isclose(reported[1], result.values(table)[point]), f"{seen.max()} m"
         assert rounds_to(order[point, station, row], match[1]) and match[2] == result.stations[station], f"order {order[point, station, row]}"
 
 
@@ -324,7 +324,7 @@ def unknown_bearings(result, own):
 
 
 def weight(result, own):
-    """What acts along the shafts and across makes up the gravity of the case."""
+    """The components along the shafts and across add up to the gravity of the case."""
     text = own["found"]["text"]
     case = result.file["case/text"].asstr("utf-8")[0]
     asked = re.search(r"^\s*- gravity(?:: *(?:(\S+) m/s2|\{.*?acceleration: (\S+) m/s2.*?\}|.*))?", case, re.M)
@@ -335,7 +335,7 @@ def weight(result, own):
 
 
 def missing(result, table):
-    """The points without any number of what motions are analyzed for."""
+    """The points without any number of the analyses of motions."""
     numbers = []
     for analysis in ("poincare", "orbit", "rub", "spectrum", "lyapunov", "exponents"):
         for name in result.file[table].get(analysis, {}):
@@ -378,8 +378,8 @@ def line_jump(result, own):
     order, size = lines[..., 0], np.fmax(lines[..., 1], lines[..., 2]) * result.lengths(table)[:, None, None]
     at = np.argmin(abs(values - own["found"]["values"][-1]))
     assert match and at + 1 < len(values), f"{own['found']}"
-    told = float(own["what"].split()[-1])
-    assert any(rounds_to(one, own["what"].split()[-1]) for one in order[at].ravel()), f"no line of order {told}"
+    reported = float(own["what"].split()[-1])
+    assert any(rounds_to(one, own["what"].split()[-1]) for one in order[at].ravel()), f"no line of order {reported}"
     assert np.isclose(size[at], own["found"]["values"][0]).any() and np.isclose(size[at + 1], own["found"]["values"][1]).any()
 
 
@@ -417,14 +417,14 @@ def motions(result, own):
 
 def of_starts(result, table, match):
     """Motions from several starts a point: how many starts have no verdict, at how many points none has one, and that the
-    others are told."""
+    others are reported."""
     codes, values = result.field(table, "regime/code"), result.values(table)
-    told = {value: np.any(codes[values == value] > 0) for value in set(values)}
+    reported = {value: np.any(codes[values == value] > 0) for value in set(values)}
     starts = re.search(r"(\d+) of (\d+) starts have no verdict(?: \(at (\d+) of (\d+) points none of them has one\))?", match["rest"])
-    without, empty = np.sum(codes == 0), sum(not one for one in told.values())
+    without, empty = np.sum(codes == 0), sum(not one for one in reported.values())
     assert (int(starts[1]) if starts else 0) == without, f"{without} of {len(codes)} starts"
-    assert not starts or int(starts[3] or 0) == empty, f"{empty} of {len(told)} points"
-    assert int(match["one"]) <= int(match["all"]) >= len(told) - empty, f"{len(told)} points"
+    assert not starts or int(starts[3] or 0) == empty, f"{empty} of {len(reported)} points"
+    assert int(match["one"]) <= int(match["all"]) >= len(reported) - empty, f"{len(reported)} points"
 
 
 def touches_motions(result, own):
@@ -462,13 +462,13 @@ CODES = {"P": 1, "quasi-periodic": 2, "chaotic": 3, "undetermined": 0, "diverged
 
 
 def regimes(result, own):
-    """Ends of ranges are points with the regime told; ranges that change have several."""
+    """Ends of ranges are points with the regime reported; ranges that change have several."""
     table = own["table"]
     values, codes, periods = result.values(table), result.field(table, "regime/code"), result.field(table, "regime/period")
-    told = iter(own["found"]["values"])
+    reported = iter(own["found"]["values"])
     for part in own["found"]["text"].split("; "):
         match = re.match(r"(changing: )?(.*?) (from|at) ", part)
-        ends = [next(told) for _ in range(2 if match[3] == "from" else 1)]
+        ends = [next(reported) for _ in range(2 if match[3] == "from" else 1)]
         for value in ends:
             here = np.isclose(values, value, rtol=1e-12)
             assert here.any(), f"no point at {value}"
@@ -485,12 +485,12 @@ def confidence(result, own):
         assert ["low", "fair", "high"][int(grades[0])] == single[1], f"{grades}"
         return
     match = re.fullmatch(r"(\d+) high, (\d+) fair, (\d+) low", text)
-    told = [int(match[i]) for i in (3, 2, 1)]
+    reported = [int(match[i]) for i in (3, 2, 1)]
     counts = [int(np.sum(grades == i)) for i in range(3)]
     if of_several_starts(result, table):
-        assert sum(told) == len([one for one in result.json["attractors"] if one["table"] == table])
+        assert sum(reported) == len([one for one in result.json["attractors"] if one["table"] == table])
     else:
-        assert told == counts, f"{counts}"
+        assert reported == counts, f"{counts}"
 
 
 def rubbing(result, own):
@@ -526,7 +526,7 @@ def several(result, own):
         if one["table"] == own["table"]:
             places.setdefault(str(one["parameters"]), set()).add(one["attractor"])
     count = sum(len(numbers) > 1 for numbers in places.values())
-    match = re.match(r"side by side at (\d+) of (\d+) point|found at no point", own["found"]["text"])
+    match = re.match(r"coexist at (\d+) of (\d+) point|found at no point", own["found"]["text"])
     assert match and int(match[1] or 0) == count, f"{count}"
 
 
@@ -552,7 +552,7 @@ def reason(result, own):
 
 
 def beyond(result, own):
-    """Of what goes beyond the range of a law: the limit, the most that was reached, at how many points and where first."""
+    """Range of a law that is exceeded: the limit, the largest value, at how many points and where first."""
     table = own["table"]
     match = re.fullmatch(r".* up to (?P<most>\S+?)(?: [^\s,]+)?, .*; reached (?P<reached>\S+?)"
                          r"(?: [^\s(]+)?(?: \((?P<points>\d+) of \d+ points, first at .*\))?", own["found"]["text"])
@@ -646,8 +646,8 @@ def left_out(result, title, match):
 
 
 def conditions(result, match):
-    told = result.file["provenance"].attrs[f"{match['table']} with"]
-    assert (told.decode() if isinstance(told, bytes) else told) == match["what"], told
+    reported = result.file["provenance"].attrs[f"{match['table']} with"]
+    assert (reported.decode() if isinstance(reported, bytes) else reported) == match["what"], reported
 
 
 def check_other(result, title, text):

@@ -6,7 +6,7 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cp "$2" "$folder/good.yaml"
 cd "$folder"
-# One thread: libgomp keeps its pool of threads until the end, which is no leak of ours.
+# One thread: libgomp keeps its pool of threads until the end, which would be reported as a leak.
 valgrind --quiet --error-exitcode=9 --leak-check=full --show-leak-kinds=definite --errors-for-leak-kinds=definite \
     "$whirl" run good.yaml --quiet --threads 1 -o good.h5
 valgrind --quiet --error-exitcode=9 --leak-check=full --show-leak-kinds=definite --errors-for-leak-kinds=definite \

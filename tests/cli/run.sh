@@ -11,7 +11,7 @@
 #   stdout-not:, stderr-not:  one that no line may match
 #   stdout-lines:, stderr-lines:  how many lines there are
 #
-# What the shell does itself costs nothing beside a process more, and there are hundreds of these tests.
+# Use the shell's own functions: every further process takes time, and there are hundreds of these tests.
 set -u
 whirl=$1 CASES=$2 test=$3 TESTS=${0%/*}
 for name in whirl CASES test TESTS; do
@@ -96,7 +96,7 @@ for ((n = 0; n < ${#checks[@]}; n += 2)); do
     *) like "$pattern" "${printed[@]}" || fail "$stream has no line like: $pattern" ;;
     esac
 done
-# Whatever the outcome, a sanitizer or a crash has no place in it.
+# A report of a sanitizer, or a crash, fails every test.
 if grep -qaE 'Sanitizer|runtime error:|Segmentation fault|Aborted' "$folder/stderr"; then fail "the program crashed"; fi
 if [ $failures -gt 0 ]; then
     for stream in stdout stderr; do

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""A result and what was exported of it hold the same, to the bit:  same_export.py RESULT.h5 FILE.mat"""
+"""A result and its export have the same values, to the bit:  same_export.py RESULT.h5 FILE.mat"""
 
 import re
 import sys
@@ -24,7 +24,7 @@ def plain(value):
 
 
 def name(raw):
-    """The name that MATLAB takes."""
+    """The name as MATLAB accepts it."""
     made = re.sub("[^A-Za-z0-9]", "_", ("" if re.match("[A-Za-z]", raw) else "x_") + raw[:58])
     return made + "_" if made in KEYWORDS.split() else made
 

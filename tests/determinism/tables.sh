@@ -1,8 +1,5 @@
 #!/bin/bash
-# One table, whatever the threads and the load:  tables.sh WHIRL CASES RUNS LOOPS
-# Runs a map of the paper's rotor RUNS times on 1 to 8 threads beside LOOPS busy loops. Its motions come to orbits, and are
-# followed by perturbed copies, at different revolutions, so that they change lanes while others are recorded. All numbers of
-# the table have the same bits in every run.
+# The same table for any number of threads and any load:  tables.sh WHIRL CASES RUNS LOOPS
 set -euo pipefail
 whirl=$(realpath "$1") cases=$(realpath "$2") runs=$3 loops=$4
 folder=$(mktemp -d)

@@ -1,4 +1,4 @@
-// The same bits whatever runs beside a point: threads, lanes, vector widths, order and number of points.
+// A point has the same bits whatever else runs: threads, lanes, vector widths, order and number of points.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

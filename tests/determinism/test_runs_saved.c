@@ -1,5 +1,5 @@
-// Run-ups that are stopped at random turns and continued from their saved state, in another machine of the same case:
-// the same bits as if nobody had stopped them.
+// Run-ups that are stopped at random turns and continued from their saved state, in another machine of the same case,
+// have the same bits as without the stops.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

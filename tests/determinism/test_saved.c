@@ -1,5 +1,5 @@
-// Motions that were saved under way and taken up in another run, and motions that had to wait for lanes: the same bits
-// as if nobody had stopped them, and as if each had been alone.
+// Motions that were saved under way and continued in another run, and motions that had to wait for lanes, have the same
+// bits as without the stop and as each motion alone.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -21,15 +21,15 @@ typedef struct motions {
     whirl_task tasks[MANY];
     whirl_record *records[MANY];
     size_t count, given;
-    int calls, wanted; ///< saves so far; the one that is kept, -1: none
+    int calls, wanted; ///< saves so far; number of the save whose states are stored, -1: none
     void *states[MANY];
     size_t sizes[MANY];
     double turned[MANY]; ///< revolutions at the last save
     bool waited[SAVES];  ///< whether a motion had not gone on since the save before
 } motions;
 
-/// Notes the states after a revolution, and keeps those of the save number `wanted`.
-static void note_states(motions *m, const whirl_motion_state *states, size_t count) {
+/// Counts the save after a revolution, and stores the states of the save number `wanted`.
+static void save_states(motions *m, const whirl_motion_state *states, size_t count) {
     const int call = m->calls++;
     for (size_t i = 0; i < count; i++) {
         const ptrdiff_t number = (const whirl_task *)states[i].task.tag - m->tasks;
@@ -91,7 +91,7 @@ static size_t record_in(motions *m, const char *method, const whirl_record_optio
             m->records[(const whirl_task *)task.tag - m->tasks] = record;
         size_t count;
         whirl_motion_state *states = whirl_recorder_save(recorder, &count);
-        if (states) note_states(m, states, count);
+        if (states) save_states(m, states, count);
         whirl_motion_states_free(states, count);
     }
     whirl_recorder_free(recorder);

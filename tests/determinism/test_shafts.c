@@ -1,4 +1,4 @@
-// Rotors with shafts of finite elements give the same bits whatever runs beside a point: threads, vector widths, lanes.
+// Rotors with shafts of finite elements give the same bits whatever else runs: threads, vector widths, lanes.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,5 +1,5 @@
-// The loops of the most frequent structure (rotor/pair_kernel.h) beside the general ones: a rotor with a force of no
-// size is carried by the latter.
+// The loops of the most frequent structure (rotor/pair_kernel.h) and the general ones agree: a rotor with an added
+// force of amplitude 0 uses the general ones.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

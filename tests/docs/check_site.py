@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Links and pictures of a site lead somewhere, and it loads nothing from elsewhere, nor what browsers load from no file
+"""Targets of links and pictures of a site exist; it loads nothing from other sites, nor what browsers load from no file
 (modules of JavaScript):  check_site.py SITE"""
 
 import re
@@ -12,7 +12,7 @@ LOADS = {("script", "src"), ("img", "src"), ("link", "href"), ("iframe", "src")}
 
 
 class Page(HTMLParser):
-    """What a page has to go to, what it links to and what it loads."""
+    """Anchors of a page, its links, and the files that it loads."""
 
     def __init__(self, path):
         super().__init__()
@@ -45,7 +45,7 @@ def problems(site, pages):
 
 
 def problems_of_parts(site):
-    """What style sheets and scripts load in their turn."""
+    """Files that style sheets and scripts load in their turn."""
     for path in site.glob("_static/**/*.css"):
         for target in re.findall(r"url\(['\"]?(?!data:)([^'\")]+)", path.read_text(encoding="utf-8")):
             if urlsplit(target).netloc or target.startswith("/") or not (path.parent / target).is_file():

@@ -77,7 +77,7 @@ class Figures(str):
 
 
 def differences(shown, printed, path):
-    """Where what the document shows is not what was printed."""
+    """Places where the document differs from the printed output."""
     if isinstance(shown, dict):
         if not isinstance(printed, dict):
             yield f"{path} is no object"

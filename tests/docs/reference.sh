@@ -1,5 +1,5 @@
 #!/bin/bash
-# The reference of keys is what the program says now:  reference.sh ROOT WHIRL
+# The reference of keys is the present output of the program:  reference.sh ROOT WHIRL
 set -euo pipefail
 root=$(realpath "$1")
 whirl=$(realpath "$2")

@@ -168,7 +168,7 @@ static void cells_are_those_of_their_map(void **state) {
     assert_int_equal(whirl_case_run(object, &(whirl_run_options){.threads = 1}, &result).code, WHIRL_OK);
     const whirl_table *table = &result->tables[0];
     assert_int_equal(table->count, 6);
-    // A row of values is told, not every point's.
+    // A row of values is given, not the values of every point.
     const char *values = strstr(explorer_describe(object), "\"values\":[");
     assert_true(values && strcspn(values, "]") < 64);
     for (size_t point = 0; point < table->count; point++) expect_cell(object, table, point);
@@ -247,8 +247,7 @@ static void spectra_are_asked_for(void **state) {
     explorer_case_free(object);
 }
 
-// The same motion at the same lengths has a verdict where that is what was asked for, and none where it is a first
-// look.
+// The same motion of the same length has a verdict if that length was requested, and none if it is a first look.
 static void a_first_look_has_no_verdict(void **state) {
     (void)state;
     whirl_case *object = open_case();
@@ -269,11 +268,11 @@ static void a_first_look_has_no_verdict(void **state) {
         assert_true(block && j);
         while (explorer_job_turn(j) > 0.0) continue;
         assert_int_equal(explorer_job_take(j, block, NULL), 0);
-        const char *told = explorer_verdict(p, block);
-        assert_non_null(strstr(told, asked ? "\"provisional\":false" : "\"provisional\":true"));
+        const char *json = explorer_verdict(p, block);
+        assert_non_null(strstr(json, asked ? "\"provisional\":false" : "\"provisional\":true"));
         if (!asked) {
             assert_int_equal(whirl_block_verdict(&p->layout, block).regime, WHIRL_UNDETERMINED);
-            assert_non_null(strstr(told, "10 + 20 revolutions; a verdict takes the 40 + 20 that"));
+            assert_non_null(strstr(json, "10 + 20 revolutions; a verdict takes the 40 + 20 that"));
         }
         explorer_job_free(j);
         free(block);
@@ -282,13 +281,13 @@ static void a_first_look_has_no_verdict(void **state) {
     explorer_case_free(object);
 }
 
-// Text of a case is anything; between quotes of JSON it stays text.
+// The text of a case may have any character; between quotes of JSON it is escaped.
 static void texts_are_escaped(void **state) {
     (void)state;
     whirl_case *object = open_case();
-    const char *told = explorer_describe(object);
-    assert_non_null(strstr(told, "\"title\":\"A \\\"rotor\\\" <b>\""));
-    assert_non_null(strstr(told, "\"comment\":\"unbalance \\\\ \\\"eccentricity\\\"\""));
+    const char *json = explorer_describe(object);
+    assert_non_null(strstr(json, "\"title\":\"A \\\"rotor\\\" <b>\""));
+    assert_non_null(strstr(json, "\"comment\":\"unbalance \\\\ \\\"eccentricity\\\"\""));
     text t = {0};
     json_text(&t, "a\tb\x01\xC3\xA9");
     json_next(&t);
@@ -359,7 +358,7 @@ static void a_run_is_that_of_the_study(void **state) {
     explorer_case_free(object);
 }
 
-static void numbers_that_move_a_run_are_named_as_the_command_takes_them(void **state) {
+static void changed_numbers_are_named_as_the_command_takes_them(void **state) {
     (void)state;
     static const char *const names[] = {"runup.rate", "disc.eccentricity", "rub[1].friction", "rub[2].friction"};
     whirl_case *object = explorer_case_new(text_of_runup, strlen(text_of_runup), "t.yaml");
@@ -395,7 +394,7 @@ int main(void) {
         cmocka_unit_test(orbits_are_those_of_their_branch),
         cmocka_unit_test(cells_are_those_of_their_map),
         cmocka_unit_test(a_run_is_that_of_the_study),
-        cmocka_unit_test(numbers_that_move_a_run_are_named_as_the_command_takes_them),
+        cmocka_unit_test(changed_numbers_are_named_as_the_command_takes_them),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

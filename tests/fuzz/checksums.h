@@ -18,7 +18,7 @@ typedef struct checksum_list {
 } checksum_list;
 
 /// The checksums of a sound file. They are looked for once in the first sound file of each size; other files of that
-/// size, changed in place, have theirs at the same places. NULL where there are none. Kept until the program ends.
+/// size, changed in place, have theirs at the same places. NULL where there are none. Valid until the program ends.
 const checksum_list *checksums_of(const uint8_t *bytes, size_t size);
 
 /// Writes all checksums anew.

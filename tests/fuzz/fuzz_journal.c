@@ -58,7 +58,8 @@ static void put_checksum(uint8_t *at, uint32_t sum) {
     for (int i = 0; i < 4; ++i) at[i] = (uint8_t)(sum >> 8 * i);
 }
 
-/// Makes the checksums right wherever the magic stands, as no mutation would by chance: the lengths are then believed.
+/// Corrects the checksums wherever the magic number is, which random mutations would never do: then the reader uses the
+/// lengths.
 static void mend(uint8_t *data, size_t size) {
     for (size_t i = 0; i + JOURNAL_HEAD <= size; ++i) {
         frame_head head;

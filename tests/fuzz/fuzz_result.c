@@ -1,7 +1,7 @@
 // Any bytes as a result file: refused with a sentence, or a result whose every number is there.
 //
 // Nearly every change of a byte breaks a checksum of HDF5 and goes no further. So changes are made in place and the
-// checksums put right again, as somebody who means harm would (checksums.h); every fourth input is left broken.
+// checksums put right again, as an attacker would (checksums.h); every fourth input is left broken.
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What becomes of the command when it is out of memory:  out_of_memory.py WHIRL FAILING_MALLOC GOOD.yaml UNITS.xml SAMPLES [COMMAND...]
+"""The command when allocations fail:  out_of_memory.py WHIRL FAILING_MALLOC GOOD.yaml UNITS.xml SAMPLES [COMMAND...]
 
 Every command below, or those named, is run again and again, and each time another one of its allocations fails, alone or with all that follow:
 SAMPLES allocations of a command, spread over all of them; 0: every one. Whatever fails, the exit status is 0 or 1, what ends with 1
@@ -74,7 +74,7 @@ def files(folder):
 
 
 def attempt(name, template, whole, call, all_later):
-    """The exit status, and what is wrong ("": nothing)."""
+    """The exit status, and the fault found ("": none)."""
     with tempfile.TemporaryDirectory() as place:
         folder = pathlib.Path(place) / "work"
         shutil.copytree(template, folder)
@@ -92,7 +92,7 @@ def attempt(name, template, whole, call, all_later):
             shown = execute(["show", path.name], folder)
             if shown.returncode != 0:
                 return done.returncode, f"{path.name} cannot be read: {shown.stderr.decode()}"
-        # A journal without points is in nobody's way; one with points goes on.
+        # A journal without points does not prevent the next run; one with points is continued.
         if done.returncode == 1 and "made.h5" in COMMANDS[name]:
             again = execute(COMMANDS[name], folder)
             if again.returncode != 0:
@@ -104,7 +104,7 @@ def attempt(name, template, whole, call, all_later):
 
 def calls_of(count, most):
     step = max(1, count // most) if most else 1
-    # Not always the same place of what repeats.
+    # Vary the place within calls that repeat.
     return [1 + (call + 7 * index) % count for index, call in enumerate(range(0, count, step))]
 
 

@@ -1,5 +1,5 @@
 #!/bin/bash
-# The functions are MATLAB's as well: no syntax that Octave alone has.  dialect.sh SOURCE
+# The functions run in MATLAB, too: they use no syntax that only Octave has.  dialect.sh SOURCE
 cd "$1/bindings/octave" || exit 1
 failures=0
 code=$(for file in *.m private/*.m examples/*.m; do
@@ -22,7 +22,7 @@ for file in whirl_*.m; do
     head -n 1 "$file" | grep -qE "^function .*\b$name\b" || { echo "FAILED: $file begins with another function"; failures=$((failures + 1)); }
     sed -n 2p "$file" | grep -q "^% ${name^^}  " || { echo "FAILED: $file has no help"; failures=$((failures + 1)); }
 done
-# It does find what it looks for.
+# The check itself finds such syntax.
 [ "$(printf 'x += "a"; %% "b"\n' | sed -E "s/%.*//" | grep -cE '"|\+=')" = 1 ] || failures=$((failures + 1))
 [ $failures -eq 0 ] && echo "the functions are of both languages"
 exit $((failures > 0))

@@ -141,9 +141,9 @@ function shapes = check_figure(drawn)
   names = expected_names(panels);
   assert(isempty(drawn.legend) == isempty(names));
   if ~isempty(names)
-    told = get(flipud(findobj(drawn.legend, 'type', 'text')), {'string'});
-    told = cellfun(@seen, told(~cellfun(@isempty, told)), 'UniformOutput', false);
-    assert(sort(told(:)), sort(cellfun(@plain, names(:), 'UniformOutput', false)));
+    printed = get(flipud(findobj(drawn.legend, 'type', 'text')), {'string'});
+    printed = cellfun(@seen, printed(~cellfun(@isempty, printed)), 'UniformOutput', false);
+    assert(sort(printed(:)), sort(cellfun(@plain, names(:), 'UniformOutput', false)));
   end
   assert(isempty(drawn.scale) == ~isfield(drawn.data, 'scale'));
   if ~isempty(drawn.scale)

@@ -44,9 +44,9 @@ for file = {'pump.h5', 'branch.h5'}
   names = whirl_table(file{1}, 'list');
   for i = 1:numel(names)
     sheet = whirl_table(file{1}, names{i});
-    [status, told] = system([getenv('WHIRL') ' table ' file{1} ' ' names{i} ' --format csv']);
+    [status, printed] = system([getenv('WHIRL') ' table ' file{1} ' ' names{i} ' --format csv']);
     assert(status, 0);
-    lines = strsplit(strtrim(told), "\r\n")(2:end);
+    lines = strsplit(strtrim(printed), "\r\n")(2:end);
     assert(numel(lines), size(sheet.cells, 1));
     for row = 1:numel(lines)
       fields = regexp([lines{row} ','], '("(?:[^"]|"")*"|[^,]*),', 'tokens');

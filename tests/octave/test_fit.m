@@ -32,8 +32,8 @@ w0 = sqrt(33e3 / 3);
 z = 45 / (6 * w0);
 numbers = {struct('critical', sprintf('%.17g rad/s', w0 * sqrt(1 - z^2)), 'whirl', 'forward', 'noise', '1 rad/s'), ...
            struct('damping', z, 'mode', 1, 'noise', 0.001)};
-told = whirl_fit(machine, numbers, struct('k', [], 'c', []), 'tolerance', 1e-10);
-assert([told.k.value told.c.value], [33e3 45], -1e-8);
+fitted = whirl_fit(machine, numbers, struct('k', [], 'c', []), 'tolerance', 1e-10);
+assert([fitted.k.value fitted.c.value], [33e3 45], -1e-8);
 lost = whirl_fit(machine, struct('onset', '100 rad/s', 'noise', '1 rad/s'), struct('c', []));
 assert(lost.c.known, 'unknown');
 wrong(@() whirl_fit(machine, numbers{1}, struct('k', []), 'noise', '1 um'), 'belongs to a table');

@@ -1,4 +1,4 @@
-// The core of whirl on a C library other than glibc: forces and motions beside closed forms.
+// The core of whirl on a C library other than glibc: forces and motions compared with closed forms.
 #include <math.h>
 #include <stdio.h>
 

@@ -3,9 +3,9 @@
 // The equations are written in newtons, metres and seconds as the sources give them: films and squeeze films as
 // integrals of Reynolds' pressure over their circumference, gyroscopic rotors and seals in complex numbers. The
 // machines are those of motions/*.yaml. Each motion is carried by the classical Runge-Kutta method with fixed steps,
-// its transient left out; what it is follows from its returns to where it was and from the growth of a small difference
+// its transient left out; its kind follows from its returns and from the growth of a small difference
 // (Benettin et al. 1980). All is done twice, the second time with twice the steps: a motion that is not the same both
-// times, or of which no clear word can be said, is told as "?" and is no reference.
+// times, or whose kind is not clear, is printed as "?" and is no reference.
 //
 //     element_motions [MACHINE [COUNT]]   prints the table element_motions.txt, or of a machine the first COUNT lines
 #include <complex.h>
@@ -104,7 +104,7 @@ static void play(double p, double t, const double *x, double *dx) {
     dx[1] = 0.4 * p * p * sin(p * t) - 0.1 * x[1] - 0.2 * x[0] - 20.0 * f;
 }
 
-/// A pedestal that lifts from its seat, with dampers that differ, and is held from above.
+/// A pedestal that lifts from its seat, with unequal dampers and a stop above.
 static void looseness(double p, double t, const double *x, double *dx) {
     const double d = x[0], v = x[1];
     const double f = d < 0.0 ? 10.0 * d + 0.6 * v : d < 1.0 ? 0.1 * d + 0.1 * v : 0.1 + 10.0 * (d - 1.0) + 0.6 * v;

@@ -7,10 +7,10 @@
 // coefficient through all intermediate quantities, each with its derivatives by the start and by the stiffness ratio
 // r_k; a root of the series is where a contact begins or ends. The force is continuous there, so the derivatives pass
 // without a jump. Orbits of several revolutions are found by Newton's method and followed by their arc length from a
-// start that is good to some six digits, until the function that tells of the special point changes its sign.
+// start that is good to some six digits, until the test function of the special point changes its sign.
 //
-// All is done twice, with other orders and other steps. The difference between the two is told; above 1e-14 the program
-// fails. That takes a minute or more; `confirm` reads the table again and carries each orbit once.
+// All is done twice, with other orders and other steps. The difference between the two is printed; above 1e-14 the
+// program fails. That takes a minute or more; `confirm` reads the table again and carries each orbit once.
 #include <complex.h>
 #include <math.h>
 #include <stdbool.h>
@@ -384,7 +384,7 @@ static bool correct(const accuracy *a, const orbit *from, real length, orbit *o)
 
 // ---------------------------------------------------------------- special points
 
-/// SINGULAR is what a fold is told by where no tangent is known.
+/// SINGULAR: test function of a fold if no tangent is known, the determinant of the equations.
 typedef enum point_kind { FOLD, DOUBLING, TORUS, TOUCH, SINGULAR } point_kind;
 
 /// Returns the number of the extremum of the radius that is nearest to the gap.

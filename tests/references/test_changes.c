@@ -253,25 +253,25 @@ static void the_second_program_agrees(void **state) {
 
 /// Motions settle on the orbits that begin at every doubling, and on the torus at P-1's Neimark-Sacker point: none is
 /// reported as subcritical.
-static void what_begins_is_stable(void **state) {
+static void orbits_that_begin_are_stable(void **state) {
     const known *k = *state;
-    size_t told = 0;
+    size_t reported = 0;
     for (size_t i = 0; i < PIECES; i++) {
         const whirl_branch_point *point = &k->branches[i]->points[next_special(k->branches[i], 0)];
         const whirl_special kind = pieces[i].changes[0].kind;
         if ((kind != WHIRL_DOUBLING && i > 0) || pieces[i].orbit.returns > 8) continue;
-        told += !isnan(point->criticality);
+        reported += !isnan(point->criticality);
         check_holds("changes",
                     words("%s at %.6f: not said to be subcritical (%.3g)", special_word(kind), point->value,
                           point->criticality),
                     !(point->criticality > 0.0));
     }
-    assert_true(told >= 4);
+    assert_true(reported >= 4);
 }
 
 // ---------------------------------------------------------------- brute force
 
-/// A motion beside a special point, and how it shall settle.
+/// A motion near a special point, and the expected settled motion.
 typedef struct motion {
     char *name;
     settled expected, found;
@@ -406,10 +406,12 @@ static void several_orbits_at_one_value(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(changes_are_named),          cmocka_unit_test(two_tolerances_agree),
-        cmocka_unit_test(digits_are_confirmed),       cmocka_unit_test(the_second_program_agrees),
-        cmocka_unit_test(what_begins_is_stable),      cmocka_unit_test(motions_change_there),
-        cmocka_unit_test(several_orbits_at_one_value)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(changes_are_named),
+                                       cmocka_unit_test(two_tolerances_agree),
+                                       cmocka_unit_test(digits_are_confirmed),
+                                       cmocka_unit_test(the_second_program_agrees),
+                                       cmocka_unit_test(orbits_that_begin_are_stable),
+                                       cmocka_unit_test(motions_change_there),
+                                       cmocka_unit_test(several_orbits_at_one_value)};
     return cmocka_run_group_tests(tests, follow_pieces, forget_pieces);
 }

@@ -1,4 +1,4 @@
-// Verdicts on machines that hold one element each, beside what an independent program says of their motions.
+// Verdicts on machines with one element each, compared with the motions of an independent program.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -13,7 +13,7 @@
 #include "support_known.h"
 #include "whirl/engine.h"
 
-/// A line of the table: machine, parameter, where its first station starts, motion ("?": the program cannot tell).
+/// A line of the table: machine, parameter, where its first station starts, motion ("?": not clear to the program).
 typedef struct row {
     char machine[32], motion[32];
     double parameter, start[2], exponent;

@@ -11,8 +11,8 @@
 // Newton's method; folds, period doublings, Neimark-Sacker points, neutral saddles, first touches and given values of W
 // are zeros of functions along the arc.
 //
-// All is done twice, with other steps and other orders. The difference between the two is told; above 1e-15 in orbits
-// and 1e-11 in multipliers the program fails.
+// All is done twice, with other steps and other orders. The difference between the two is printed; above 1e-15 in
+// orbits and 1e-11 in multipliers the program fails.
 #include <complex.h>
 #include <math.h>
 #include <stdbool.h>
@@ -103,7 +103,7 @@ static real root(const series *s, int i, real level, real a, real b) {
     return h;
 }
 
-/// Returns the length of the step that may be taken of h, up to where the contact begins or ends; notes extrema on the
+/// Returns the length of the step, at most h, up to the beginning or end of a contact; records extrema on the
 /// way.
 static real step_length(const series *s, bool touching, real h, period *p) {
     real from = 0.0L;
@@ -269,7 +269,7 @@ static int by_length(const void *one, const void *other) {
     return a < b ? -1 : a > b;
 }
 
-static void note(special *point, const orbit *o, const char *kind, real length) {
+static void set_special(special *point, const orbit *o, const char *kind, real length) {
     *point = (special){.kind = kind, .length = length, .orbit = *o};
     multipliers(&o->period, point->multipliers);
 }
@@ -282,7 +282,7 @@ static int follow(const accuracy *a, special *points) {
     if (!correct(a, &here, 0.0L, &next)) return 0;
     here = next;
     find_tangent(&here, (real[]){0.0L, 0.0L, 0.0L, 0.0L, -1.0L});
-    note(&points[count++], &here, "value", 0.0L);
+    set_special(&points[count++], &here, "value", 0.0L);
     while (here.u[N] > last_W && here.u[N] < 1.0L) {
         if (!correct(a, &here, step, &next) || abs(next.period.extrema - here.period.extrema) > 2) {
             step *= 0.5L;
@@ -298,7 +298,7 @@ static int follow(const accuracy *a, special *points) {
             if (!locate(a, &here, step, test, &o) || count == MAX_POINTS) return 0;
             real along = length;
             for (int i = 0; i <= N; i++) along += here.tangent[i] * (o.u[i] - here.u[i]);
-            note(&points[count++], &o, kind_of(&o, test), along);
+            set_special(&points[count++], &o, kind_of(&o, test), along);
         }
         qsort(points + of_step, (size_t)(count - of_step), sizeof *points, by_length);
         length += step;

@@ -2,7 +2,7 @@
 # Real kills at random moments:  kills.sh WHIRL GOOD.yaml N
 # Runs with many short points are killed by SIGKILL and resumed until they are done, N kills in all. After every kill the
 # result, if there is one, can be read, and the journal has at least the points that it had before; at the end the result
-# is that of a run that nobody perturbed.
+# is that of a run without kills.
 set -uo pipefail
 whirl=$(realpath "$1")
 good=$(realpath "$2")
@@ -22,7 +22,7 @@ sed -e 's/points: 5/points: 2000/' -e 's/, spectrum//' "$good" >plain.yaml
 sed -e 's/start: state/start: carry, direction: both/' -e 's/points: 2000/points: 1000/' plain.yaml >carry.yaml
 declare -A span
 for name in plain carry; do
-    # The shortest of three: what else the computer does must not make the kills come too late.
+    # The shortest of three: with other load on the computer kills would come too late.
     for try in 1 2 3; do
         before=$(date +%s%N)
         "$whirl" run $name.yaml -q --force -o whole-$name.h5 || fail "the unperturbed run"

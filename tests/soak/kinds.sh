@@ -1,7 +1,6 @@
-# Studies of all kinds, or of those in the array kinds, in the folder where one is, with the results of runs that nobody
-# perturbed (whole-NAME.h5) and how long those took (span[NAME], milliseconds). Read by scripts that kill them: these have
+# Studies of all kinds, or of those in the array kinds, in the current folder, with the results of runs without kills
+# (whole-NAME.h5) and how long those took (span[NAME], milliseconds). Read by scripts that kill them: these define
 # $whirl, $cases, $tests (tests/cli) and fail.
-# shellcheck shell=bash disable=SC2154
 
 # Points one by one, along a line and in a plane; carried up and down, and confirmed; refined; confirmed and followed; at
 # rest; along branches and on tori; of samples.

@@ -1,6 +1,6 @@
 #define _DEFAULT_SOURCE // wait4; NOLINT(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp)
 /// Memory of many points, measured at two sizes: of a run with all the paper's analyses, journal, result file and its
-/// verification included, and what that means for a million points; of a merge, which does not grow with their number.
+/// verification included, extrapolated to a million points; and of a merge, which does not grow with their number.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

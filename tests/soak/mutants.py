@@ -35,7 +35,7 @@ def places(text):
 
 
 def mutants(text):
-    """What is changed, in words, and the text that comes of it."""
+    """The change, in words, and the mutated text."""
     numbers = places(text)
     for factor, (begin, end) in itertools.product(FACTORS, numbers):
         old = text[begin:end]
@@ -46,7 +46,7 @@ def mutants(text):
 
 
 def complaint(command, folder):
-    """What is wrong with how a command ends, or nothing."""
+    """The fault in how a command ends, or nothing."""
     try:
         done = subprocess.run(command, cwd=folder, capture_output=True, text=True, errors="replace", timeout=SECONDS)
     except subprocess.TimeoutExpired:

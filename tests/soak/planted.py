@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Faults planted one by one, and what finds them:  planted.py CLONE [LAYER...]
+"""Faults planted one by one, and the tests that find them:  planted.py CLONE [LAYER...]
 
 CLONE is a clean clone in which `make ci` has passed. A fault, one line in one layer, is written there, what depends on it is
 built, and the phase of `make ci` that should see it runs until something fails: tests that run every time, whatever quarter
@@ -68,7 +68,7 @@ STEPS = {
 
 
 def finder(clone, phase, explorer):
-    """What fails first, or nothing."""
+    """The first test that fails, or nothing."""
     steps = list(STEPS[phase])
     if explorer:
         steps[1:2] = ["scripts/explorer.sh build/explorer", CTEST.format(tree="build") + "-L 'browser|explorer'"]
@@ -83,7 +83,7 @@ def finder(clone, phase, explorer):
 
 
 def main(clone, layers):
-    """Plants what is asked for, all by default."""
+    """Plants the requested faults, all by default."""
     unseen = 0
     known = {fault[0] for fault in FAULTS}
     if set(layers) - known:

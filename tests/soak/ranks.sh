@@ -1,8 +1,8 @@
 #!/bin/bash
 # Ranks of MPI, killed at random moments:  ranks.sh WHIRL CASES N [KIND...]        (by tests/mpi.sh)
 # Each run begins a study of another kind by some number of ranks, one of which is killed by SIGKILL, with which mpirun
-# kills the others; it is gone on with by other numbers of ranks, as a shard or as a whole, N kills in all. In the end ranks
-# of some number, or one run, do the rest: the result is that of a run that nobody perturbed, and nothing else is left.
+# kills the others; other numbers of ranks continue it, as a shard or as a whole, N kills in all. In the end ranks
+# of some number, or one run, do the rest: the result is that of a run without kills, and nothing else is left.
 set -uo pipefail
 whirl=$(realpath "$1")
 cases=$(realpath "$2")
@@ -66,7 +66,7 @@ while [ $done_kills -lt "$kills" ] || [ $runs -lt ${#kinds[@]} ]; do
     for again in 1 2; do
         resume=$(journals_are_there && echo --resume || echo --force)
         perturb
-        # A shard goes on with what they have left.
+        # A shard continues their journals.
         if [ $((RANDOM % 3)) = 0 ] && journals_are_there; then
             "$whirl" run $name.yaml -q $refine -o result.h5 --shard 1/2 --resume >log 2>&1 || fail "a shard of $name: $(cat log)"
         fi

@@ -2,7 +2,7 @@
 # Shards of changing numbers, killed at random moments:  shards.sh WHIRL CASES N
 # Each run begins a study of another kind in shards, two at a time, which are killed by SIGKILL and resumed with other
 # numbers of shards, or as a whole, N kills in all. In the end all shards of some number are done and merged: the result
-# is that of a run that nobody perturbed, and nothing else is left.
+# is that of a run without kills, and nothing else is left.
 set -uo pipefail
 whirl=$(realpath "$1")
 cases=$(realpath "$2")

@@ -38,7 +38,7 @@ typedef struct watched {
     const char *field, *unit, *meaning;
     whirl_extent extent;
     size_t columns;
-    size_t array; ///< where a record has it
+    size_t array; ///< its place in a record
 } watched;
 
 #define LINE(array, extent, columns, fold, square, name, unit, meaning)                                                \

@@ -1,4 +1,4 @@
-/// Families of machines whose equations a test writes itself, and what is read of their branches.
+/// Families of machines whose equations a test writes itself, and numbers of their branches.
 #ifndef SUPPORT_BRANCH_H
 #define SUPPORT_BRANCH_H
 
@@ -8,7 +8,7 @@
 
 enum { FAMILY_NUMBERS = 8 };
 
-/// Machines by a system whose model is the numbers p, of which one is the family's parameter.
+/// A family of machines: a system whose model is the numbers p, of which one is the family's parameter.
 typedef struct test_family {
     whirl_system system; ///< all but its model
     double p[FAMILY_NUMBERS];
@@ -28,10 +28,10 @@ typedef struct case_family {
 /// The family as the library takes it; borrows the case's.
 whirl_family family_of_case(const case_family *family);
 
-/// The machine with the numbers as they stand: a system whose model is p.
+/// The machine with the present numbers: a system whose model is p.
 whirl_system system_of(const test_family *family);
 
-/// The orbit from the family's start, with the numbers as they stand; the test ends where there is none.
+/// Finds the orbit from the family's start, with the present numbers; fails the test if there is none.
 whirl_orbit *find_orbit(const test_family *family, size_t revolutions, const whirl_orbit_options *options);
 
 /// Follows the branch of an orbit; the test ends with the message of an error.

@@ -1,5 +1,5 @@
-/// Brute force that knows nothing of whirl: equations of its own, RK4, starts by digits of its own, and kinds of
-/// motions by how they return.
+/// Brute force independent of whirl: its own equations, RK4 and quasi-random starts; kinds of motions follow from their
+/// returns.
 #ifndef SUPPORT_BRUTE_H
 #define SUPPORT_BRUTE_H
 

@@ -20,7 +20,7 @@ void check_within(const char *id, const char *what, double expected, double obta
 /// the verification manual says which, and with what evidence.
 void note_within(const char *id, const char *what, double expected, double obtained, double tolerance);
 
-/// The same words.
+/// Equal texts.
 void check_text(const char *id, const char *what, const char *expected, const char *obtained);
 
 /// Checks that a statement holds, and records it.

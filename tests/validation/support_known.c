@@ -15,7 +15,7 @@
 
 /// Motions judged: right, undetermined, another by low confidence (which says that it may be so), wrong; of the right
 /// ones those with high confidence, of the undetermined ones those that are right when the advice is followed; missed:
-/// what could have been told and was not.
+/// motions that the advice could not decide.
 typedef struct tally {
     int judged, right, certain, open, settled, doubtful, fairly_wrong, surely_wrong, missed;
 } tally;
@@ -111,7 +111,8 @@ static bool agrees(const char *expected, const whirl_verdict *verdict) {
     if (verdict->rests && strcmp(expected, "P-1") == 0) return true; // a rest is a P-1
     if (strcmp(expected, "diverged") == 0) return verdict->regime == WHIRL_DIVERGING;
     if (strcmp(expected, "quasi-periodic") == 0) return verdict->regime == WHIRL_QUASI_PERIODIC;
-    if (strcmp(name, "quasi-periodic") == 0) return strncmp(expected, name, strlen(name)) == 0; // curves are not told
+    if (strcmp(name, "quasi-periodic") == 0)
+        return strncmp(expected, name, strlen(name)) == 0; // the number of curves is not compared
     if (strncmp(expected, "not ", 4) == 0) return strcmp(expected + 4, name) != 0;
     return strcmp(expected, name) == 0;
 }

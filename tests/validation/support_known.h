@@ -1,4 +1,4 @@
-/// Motions whose regime is known, and what the library's verdict says of them.
+/// Motions whose regime is known, compared with the library's verdicts.
 #ifndef SUPPORT_KNOWN_H
 #define SUPPORT_KNOWN_H
 

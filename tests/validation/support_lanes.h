@@ -1,4 +1,4 @@
-/// Machines side by side in vector lanes, beside each of them alone.
+/// Machines side by side in vector lanes, compared with each of them alone.
 #ifndef SUPPORT_LANES_H
 #define SUPPORT_LANES_H
 

@@ -1,5 +1,5 @@
-/// Programs that are run beside the tests and print a table of points: a word, then numbers, separated by tabs; lines
-/// that begin with "#" are notes.
+/// Programs that tests run for comparison, and that print a table of points: a word, then numbers, separated by tabs;
+/// lines that begin with "#" are notes.
 #ifndef SUPPORT_PEER_H
 #define SUPPORT_PEER_H
 

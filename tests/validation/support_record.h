@@ -1,4 +1,4 @@
-/// Long motions recorded by the library, and what its analyses say of them.
+/// Long motions recorded by the library, and the results of its analyses.
 #ifndef SUPPORT_RECORD_H
 #define SUPPORT_RECORD_H
 

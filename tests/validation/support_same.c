@@ -77,7 +77,7 @@ static bool is_one_of(const char *name, const char *const *of) {
 }
 
 /// Returns the number at the same place of another field of the same shape.
-static double beside(const place *p, const char *name, size_t which, size_t index) {
+static double number_of_field(const place *p, const char *name, size_t which, size_t index) {
     return whirl_table_field(p->table, p->point, name, which)[index];
 }
 
@@ -91,8 +91,10 @@ static double mirrored(const place *p, const whirl_field *field, size_t which, s
     if (strstr(field->name, "lag") && strcmp(field->unit, "deg") == 0)
         return is_one_of(column, late) ? number + 180.0 : number;
     if (strstr(field->meaning, "0-p amplitudes") || !is_one_of(column, across)) return number;
-    if (strcmp(field->name, WHIRL_FIELD_ORBIT_LOW) == 0) return -beside(p, WHIRL_FIELD_ORBIT_HIGH, which, index);
-    if (strcmp(field->name, WHIRL_FIELD_ORBIT_HIGH) == 0) return -beside(p, WHIRL_FIELD_ORBIT_LOW, which, index);
+    if (strcmp(field->name, WHIRL_FIELD_ORBIT_LOW) == 0)
+        return -number_of_field(p, WHIRL_FIELD_ORBIT_HIGH, which, index);
+    if (strcmp(field->name, WHIRL_FIELD_ORBIT_HIGH) == 0)
+        return -number_of_field(p, WHIRL_FIELD_ORBIT_LOW, which, index);
     return -number;
 }
 

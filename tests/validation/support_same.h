@@ -1,4 +1,4 @@
-/// Two results that must say the same: all fields of all points of all tables.
+/// Compares two results that must be equal: all fields of all points of all tables.
 #ifndef SUPPORT_SAME_H
 #define SUPPORT_SAME_H
 

@@ -1,6 +1,6 @@
 /// A system together with its variational equations: the state x [n], then the columns of Y [n][n] with
-/// dY/dt = J(t, x) Y. The Jacobian is the test's own, so it checks the motion independently of the library's twin
-/// trajectory. Where the right-hand side is continuous at its switches (elastic contact), Y is too.
+/// dY/dt = J(t, x) Y. The Jacobian is the test's own, so it checks the motion independently of the library's perturbed
+/// copy. Where the right-hand side is continuous at its switches (elastic contact), Y is too.
 #ifndef SUPPORT_TANGENT_H
 #define SUPPORT_TANGENT_H
 

@@ -1,4 +1,4 @@
-/// Long motions by an integrator of the tests' own, and where their sections lie beside a torus of the library.
+/// Long motions by an integrator of the tests' own, and the distances of their sections from a torus of the library.
 #ifndef SUPPORT_TORUS_H
 #define SUPPORT_TORUS_H
 

@@ -66,7 +66,7 @@ static void films(void **state) {
 // ---------------------------------------------------------------- journals in housings that move
 
 /// Computes eccentricity ratio, attitude and least thickness of the film at a station.
-static void look_at_film(const char *text, size_t station, double out[3]) {
+static void film_state(const char *text, size_t station, double out[3]) {
     static const char *const names[] = {WHIRL_FIELD_STATICS_ECCENTRICITY, WHIRL_FIELD_STATICS_ATTITUDE,
                                         WHIRL_FIELD_STATICS_FILM};
     whirl_result *result = result_of_text(text);
@@ -122,9 +122,9 @@ static void films_in_housings(void **state) {
     for (size_t i = 0; i < sizeof bearings / sizeof *bearings; i++)
         for (int clockwise = 0; clockwise < 2; clockwise++) {
             double stands[3], moves[3];
-            look_at_film(in_housings(bearings[i].bearing, bearings[i].inner, clockwise, 0.0), 0, stands);
+            film_state(in_housings(bearings[i].bearing, bearings[i].inner, clockwise, 0.0), 0, stands);
             for (size_t n = 0; n < 2; n++) {
-                look_at_film(in_housings(bearings[i].bearing, bearings[i].inner, clockwise, k[n]), 0, moves);
+                film_state(in_housings(bearings[i].bearing, bearings[i].inner, clockwise, k[n]), 0, moves);
                 const char *const what = words("%s, %s, housing on %g N/m", bearings[i].name,
                                                clockwise ? "clockwise" : "counter-clockwise", k[n]);
                 relative("Films in housings", words("%s: eccentricity ratio", what), stands[0], moves[0], 1e-6);
@@ -158,7 +158,7 @@ static void housings_closed(void **state) {
         size[i] = mu * 300.0 * R[i] * L * L * L / (c[i] * c[i]);
         drag[i] = pow(R[i], 3.0) / c[i];
     }
-    look_at_film(in_housings("film", "law: short, " OIL_IN, false, 1e4), 0, found);
+    film_state(in_housings("film", "law: short, " OIL_IN, false, 1e4), 0, found);
     const double alone = short_place(mass * g / size[0]);
     relative("Films in housings", "short film on 1e4 N/m, Ocvirk: eccentricity ratio", alone, found[0], 1e-6);
     relative("Films in housings", "short film on 1e4 N/m, Ocvirk: attitude, deg",
@@ -176,7 +176,7 @@ static void housings_closed(void **state) {
                               "outer_length: 20 mm, " OIL_IN;
     for (size_t i = 0; i < 2; i++) {
         const char *const name = i == 0 ? "within a ring" : "around a ring";
-        look_at_film(in_housings("floating_ring", inner, false, 1e5), i == 0 ? 0 : 3, found);
+        film_state(in_housings("floating_ring", inner, false, 1e5), i == 0 ? 0 : 3, found);
         relative("Films in housings", words("%s: eccentricity ratio", name), e[i], found[0], 1e-6);
         relative("Films in housings", words("%s: attitude, deg", name),
                  atan2(pi * sqrt(1.0 - e[i] * e[i]), 4.0 * e[i]) * 180.0 / pi, found[1], 1e-5);

@@ -138,7 +138,7 @@ static void cage_as_a_state(void **unused) {
 }
 
 /// 8 balls pass 8 times the cage's ratio in a revolution: once, 16 times in five, and never a whole number of times.
-static void what_fits(void **unused) {
+static void common_periods(void **unused) {
     (void)unused;
     static const double ratios[] = {0.125, 0.4, 40.1 / (40.1 + 63.9)};
     static const size_t expected[] = {1, 5, 0};
@@ -210,7 +210,7 @@ static void intershaft_cage(void **unused) {
 
 /// A cage that is faster than both races, a seal whose housing is on a shaft of another speed, and coefficients over
 /// speeds that are not those of their shaft.
-static void other_ends_are_looked_at(void **unused) {
+static void other_ends_are_checked(void **unused) {
     (void)unused;
     static const struct {
         const char *at, *from, *keys, *words;
@@ -278,9 +278,9 @@ static void cages_in_lanes(void **unused) {
     }
 }
 
-/// All perturbations of a machine whose cage turns on and on: in lanes, and by the integrator that locates contacts, of
-/// which there are none here. The phase comes last and keeps its size.
-static void perturbations_beside_a_cage(void **unused) {
+/// All perturbations of a machine whose cage turns without end: in lanes, and by the integrator that locates contacts,
+/// of which there are none here. The phase comes last and is not scaled.
+static void perturbations_with_a_cage(void **unused) {
     (void)unused;
     whirl_rotor *rotor = make_bearing(600.0, 0.38, 0.2);
     const whirl_system *system = whirl_rotor_system(rotor);
@@ -312,11 +312,11 @@ int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(at_rest),
                                        cmocka_unit_test(varying_compliance),
                                        cmocka_unit_test(cage_as_a_state),
-                                       cmocka_unit_test(what_fits),
+                                       cmocka_unit_test(common_periods),
                                        cmocka_unit_test(intershaft_cage),
-                                       cmocka_unit_test(other_ends_are_looked_at),
+                                       cmocka_unit_test(other_ends_are_checked),
                                        cmocka_unit_test(the_derivative),
                                        cmocka_unit_test(cages_in_lanes),
-                                       cmocka_unit_test(perturbations_beside_a_cage)};
+                                       cmocka_unit_test(perturbations_with_a_cage)};
     return cmocka_run_group_tests_name("ball bearing", tests, NULL, NULL);
 }

@@ -1,4 +1,4 @@
-// Basins: which of two wells the starts of a Duffing oscillator lead to, against brute force that knows nothing of
+// Basins: which of two wells the starts of a Duffing oscillator lead to, against brute force without any
 // verdicts: a plain RK4 of its own, and the sign of the mean displacement at the end.
 #include <math.h>
 #include <setjmp.h>
@@ -134,7 +134,7 @@ static void starts_lead_to_their_wells(void **state) {
 
 /// An orbit of two revolutions is one attractor, in either phase: one in each well. Chaos that visits both wells is one
 /// attractor for all starts.
-static void motions_are_told_apart(void **state) {
+static void attractors_are_distinguished(void **state) {
     enum { FEW = 20 };
     static const struct {
         const char *what;
@@ -169,6 +169,6 @@ static void motions_are_told_apart(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(starts_lead_to_their_wells),
-                                       cmocka_unit_test(motions_are_told_apart)};
+                                       cmocka_unit_test(attractors_are_distinguished)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

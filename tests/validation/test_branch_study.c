@@ -1,5 +1,5 @@
-// Branches as a case asks for them: thresholds, changes of a rotor that rubs against motions that settle beside them,
-// and curves over a second parameter against branches of their own.
+// Branches of cases: thresholds, changes of a rotor that rubs compared with settled motions, and curves over a second
+// parameter compared with branches.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -149,7 +149,7 @@ static void both_wells_are_found(void **state) {
 
 // ---------------------------------------------------------------- tori and neutral saddles
 
-/// A pair of coordinates in its normal form, z' = (p + i w) z - |z|^2 z, beside one that is driven, x' = cos t - x. On
+/// A pair of coordinates in its normal form, z' = (p + i w) z - |z|^2 z, and a driven one, x' = cos t - x. On
 /// the orbit z = 0 the multipliers are exp(2 pi (p +- i w)): a torus begins at p = 0, and w is 2 pi times its rotation.
 enum { GROWTH, ANGULAR, LEFT, RIGHT };
 
@@ -204,7 +204,7 @@ static void a_torus_begins(void **state) {
 }
 
 /// u' = p u - a u^3 - b u |u| and v' = -v/2 in axes that turn by half a turn in a period, so that an odd law is one of
-/// the period; beside it what is driven. On u = v = 0 orbits of twice the period begin at p = 0. Where b is 0 the map
+/// the period; and a driven coordinate. On u = v = 0 orbits of twice the period begin at p = 0. Where b is 0 the map
 /// is u ->
 /// -(u - 2 pi a u^3), whose coefficient is -2 pi a; else u |u| outgrows the cube, and there is none.
 enum { CUBE = 1, KINK };
@@ -261,7 +261,7 @@ static void kinked_doublings(void **state) {
 }
 
 /// x' = (p - .1) x, y' = .1 y: two real multipliers whose product is 1 at p = 0, where nothing happens; at p = .1 a
-/// multiplier is 1 for all x at once. Beside them what is driven.
+/// multiplier is 1 for all x at once. A driven coordinate is added.
 static void saddles_tangent(const void *model, double t, const double *f, const double *x, const double *sides,
                             size_t count, const double *u, double *out) {
     const double *p = model;
@@ -438,7 +438,7 @@ static void grazes_are_located(void **state) {
 
 /// Returns true for an orbit that ignores the stop: it is beyond it without a contact, or deeper in it than its speed
 /// can drive it, v/sqrt(s).
-static bool goes_through(const whirl_orbit *orbit, double stiffness, double W) {
+static bool passes_through(const whirl_orbit *orbit, double stiffness, double W) {
     const double speed = fmax(orbit->high[1], -orbit->low[1]) * W, depth = orbit->high[0] - 1.0;
     return (depth > 1e-9 && orbit->touches[0].intervals == 0) || depth > speed / sqrt(stiffness);
 }
@@ -462,7 +462,7 @@ static void no_orbit_goes_through_the_stop(void **state) {
         for (size_t k = 0; k < branch->count; k++) {
             const whirl_orbit *orbit = branch->points[k].orbit;
             within += orbit->touches[0].intervals > 0;
-            through += branch->points[k].special != WHIRL_GRAZE && goes_through(orbit, stiffnesses[i], W);
+            through += branch->points[k].special != WHIRL_GRAZE && passes_through(orbit, stiffnesses[i], W);
             deepest = fmax(deepest, orbit->high[0] - 1.0);
         }
         print_message("stop of %g: %zu points, %zu touch, deepest %g, end %d\n", stiffnesses[i], branch->count, within,

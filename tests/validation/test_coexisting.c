@@ -1,7 +1,7 @@
 // Attractors on which chaos may end, and the confidence of verdicts on transient chaos: Lorenz's system, whose
 // equilibria are stable up to r = 470/19 and draw in all motions up to 24.06 (Sparrow 1982); a rub, case C4 at w
-// = 3.62, whose motions end on a P-3 in thousands of revolutions; and Ueda's oscillator, whose chaos is all that there
-// is (Ueda 1980, k = 0.05, B = 7.5).
+// = 3.62, whose motions end on a P-3 in thousands of revolutions; and Ueda's oscillator, whose chaos is its only
+// attractor (Ueda 1980, k = 0.05, B = 7.5).
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -122,7 +122,7 @@ static void transient_chaos_high(void **state) {
     whirl_result *result;
     whirl_study study = {.batch_count = 1, .machine = make_rubbing};
     whirl_batch *batch = &study.batches[0];
-    int chaotic = 0, told = 0;
+    int chaotic = 0, reported = 0;
     (void)state;
     *batch = (whirl_batch){.name = "starts", .parameter = "k", .count = 12, .values = values, .confirm = true};
     for (size_t i = 0; i < 12; i++) values[i] = (double)i;
@@ -137,10 +137,10 @@ static void transient_chaos_high(void **state) {
         whirl_verdict_reason(&v, reason, sizeof reason);
         chaotic++;
         assert_true(v.confidence < WHIRL_HIGH);
-        told += v.coexisting == 3 && strstr(reason, "a stable P-3 is near the motion") != NULL;
+        reported += v.coexisting == 3 && strstr(reason, "a stable P-3 is near the motion") != NULL;
         assert_non_null(strstr(reason, "chaotic for at least"));
     }
-    assert_true(chaotic >= 3 && told >= 2);
+    assert_true(chaotic >= 3 && reported >= 2);
     whirl_result_free(result);
 }
 

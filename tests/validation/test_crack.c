@@ -247,8 +247,8 @@ static double distance(const double *x, const double *y) {
     return most;
 }
 
-/// Rosenbrock's methods need the derivative of the forces by time, of products of values of time too. Alone they have
-/// it from differences of the whole slope; with another one in lanes the order would fall, and the steps be others.
+/// Rosenbrock's methods need the derivative of the forces by time, of products of values of time too. Alone they take
+/// it from differences of the whole slope; a less accurate one in lanes would lower the order and change the steps.
 static void methods_in_lanes(void **unused) {
     enum { REVOLUTIONS = 5 };
     static const char *const methods[] = {"dop853", "rodas5p"};

@@ -282,8 +282,8 @@ static void free_shafts(void **unused) {
     whirl_case_free(object);
 }
 
-/// Free motions are those that nothing holds, not those that are slow beside the stiffest part of the machine: masses
-/// of 1 kg on springs of 1 N/m and of `stiff` N/m, and one that nothing holds. Closed form sqrt(k/m).
+/// Free motions are those that nothing holds, not those that are slow compared with the stiffest part of the machine:
+/// masses of 1 kg on springs of 1 N/m and of `stiff` N/m, and one that nothing holds. Closed form sqrt(k/m).
 static void slow_is_not_free(void **unused) {
     static const double stiff[] = {1e4, 1e12, 1e18, 1e24};
     (void)unused;

@@ -1,5 +1,5 @@
-// All Lyapunov exponents of machines whose planes, or other groups of coordinates, go their own ways: perturbations
-// must span every direction for the fastest growth to come first.
+// All Lyapunov exponents of machines with uncoupled planes, or other uncoupled groups of coordinates: perturbations
+// must span every direction, so that the fastest growth comes first.
 #include <complex.h>
 #include <math.h>
 #include <setjmp.h>

@@ -1,5 +1,5 @@
 // Derivatives of the numbers of points by parameters: against closed forms, and against differences of studies at
-// neighbouring parameters, which use none of it.
+// neighbouring parameters, which use no derivatives.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

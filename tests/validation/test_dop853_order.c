@@ -1,8 +1,9 @@
 // The observed order of dop853 is eight and that of rodas5p five, across contacts and reversals of sharp friction as
 // well.
 //
-// Steps are at most an eighth of a period long where there are switches. A tolerance that nothing exceeds makes them
-// exactly that, so that the same motion in twice as many periods, half as long, runs on half the step.
+// Systems with switches are integrated in steps of at most an eighth of the period. A tolerance so loose that no error
+// exceeds it gives steps of exactly that length. The same motion in twice as many periods, each half as long, then has
+// steps of half the length.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -93,7 +94,7 @@ static void stop_switch(const void *model, double t, const double *x, double *va
     values[0] = x[0] - gap;
 }
 
-static double beside_the_stop(double after) {
+static double velocity_at_the_stop(double after) {
     return cos(acos(gap) + after);
 }
 
@@ -110,7 +111,7 @@ static void order_across_contacts(void **unused) {
                                            .switches = stop_switch},
                                 .start = {-1.0, 0.0},
                                 .last_switch = flight + contact,
-                                .position = beside_the_stop});
+                                .position = velocity_at_the_stop});
 }
 
 // ---------------------------------------------------------------- a block with sharp friction

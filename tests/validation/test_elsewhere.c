@@ -98,7 +98,7 @@ static void magnet_between_stops(void **state) {
 }
 
 /// One place of rest, or none that a force brings back to: nothing is found.
-static void nowhere_else(void **state) {
+static void no_other_equilibrium(void **state) {
     static const char *const elements[] = {
         "    - spring: {between: [j, ground], stiffness: 1 kN/m}\n",
         "    - cubic_spring: {between: [j, ground], stiffness: 1 kN/m, cubic: 1e9}\n",
@@ -150,6 +150,6 @@ static void pads_that_carry_nothing(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(pads_that_carry_nothing), cmocka_unit_test(two_wells),
-                                       cmocka_unit_test(magnet_between_stops), cmocka_unit_test(nowhere_else)};
+                                       cmocka_unit_test(magnet_between_stops), cmocka_unit_test(no_other_equilibrium)};
     return cmocka_run_group_tests_name("rests elsewhere", tests, NULL, NULL);
 }

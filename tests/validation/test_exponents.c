@@ -532,7 +532,7 @@ static void d5_reversals_of_the_slip(void **unused) {
     for (int n = 0; n < 10; n++) {
         const double r = hypot(state[0], state[1]);
         const double slip = p.surface_radius * r + state[0] * state[3] - state[1] * state[2];
-        // Where a revolution begins with rolling, starts beside it are drawn to it at once: differences of them are
+        // If a revolution begins with rolling, neighbouring starts are drawn to it at once: their differences are
         // one-sided.
         const bool rolls = r > 1.0 && fabs(slip) < 1e-9;
         const double difference = compare_with_flow(integrator, state, 1e-5);

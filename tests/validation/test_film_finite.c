@@ -1,5 +1,5 @@
-// Films of finite length beside an independent solution of Reynolds' equation, in housings that move, between surfaces
-// that both turn.
+// Films of finite length, compared with an independent solution of Reynolds' equation: in housings that move, between
+// surfaces that both turn.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

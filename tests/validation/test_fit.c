@@ -1,4 +1,5 @@
-// Fits: a rotor that rubs, against digits of an independent program; what data do not tell; coverage of intervals.
+// Fits: a rotor that rubs, against digits of an independent program; parameters that the data do not determine;
+// coverage of intervals.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -246,7 +247,7 @@ static void waveforms(void **unused) {
                 size * (gain[0] * sin(w * t) - gain[1] * cos(w * t)));
     }
     fclose(file);
-    // One speed tells two numbers: the stiffness and the eccentricity, with the damping known.
+    // One speed determines two numbers: the stiffness and the eccentricity, with the damping known.
     whirl_result *result = run_disc_with("1 mm", "counter-clockwise", "{k: , e: }",
                                          "[{file: waveform.csv, at: {n: 100 rad/s, c: 52 N s/m}}]");
     const double *unknown = whirl_table_field(&result->tables[0], 0, WHIRL_FIELD_FIT_UNKNOWN, 0);

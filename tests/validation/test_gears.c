@@ -401,7 +401,7 @@ static void helical_gears_in_a_mirror(void **state) {
 }
 
 /// A mesh that becomes stiffer has the torsional modes of a rigid ratio: the difference goes with one over the
-/// stiffness of the mesh, beside supports that are as stiff.
+/// stiffness of the mesh, with supports as stiff.
 static void stiff_mesh_becomes_rigid(void **state) {
     double before = INFINITY, start[16] = {0};
     (void)state;

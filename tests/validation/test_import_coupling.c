@@ -228,7 +228,7 @@ static void test_unequal(void **state) {
     free(text);
 }
 
-/// One coupling more beside a piece of shaft, and one whose far end is free.
+/// Another coupling parallel to a piece of shaft, and one whose far end is free.
 static void test_more_couplings(void **state) {
     static const coupling beside = {.node = 1, .stiffness = {3e6, 2e5, 3e6, 2e5}};
     static const coupling free_end = {.node = 7,

@@ -66,7 +66,7 @@ static void check_standing(const char *name, const char *part, double one, doubl
 }
 
 /// At standstill everything that turns with the shaft stays at its angle of t = 0.
-static void what_turns_stands_still(void **state) {
+static void turning_parts_at_standstill(void **state) {
     (void)state;
     check_standing("unequal stiffness", "shaft: {between: [mass, ground], k1: 1 MN/m, k2: 1.3 MN/m}", 1e6, 1.3e6);
     // The crack points up, away from the load; down, along the load; and to the side.
@@ -81,6 +81,6 @@ static void what_turns_stands_still(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(every_element_has_a_machine),
                                        cmocka_unit_test(at_rest_as_at_the_slowest_turning),
-                                       cmocka_unit_test(what_turns_stands_still)};
+                                       cmocka_unit_test(turning_parts_at_standstill)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

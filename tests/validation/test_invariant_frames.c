@@ -80,7 +80,7 @@ static whirl_result *run_in(const element_machine *of, const char *length, const
     return run(of, (machine_view){.length = length}, study);
 }
 
-static double told(const whirl_result *result, const char *field) {
+static double number_of(const whirl_result *result, const char *field) {
     return *whirl_table_field(&result->tables[0], 0, field, 0);
 }
 
@@ -103,12 +103,13 @@ static void no_length_scale_is_wrong_in_silence(void **state) {
         whirl_result *one = run_in(of, "0.1 mm", "dop853");
         for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
             whirl_result *other = run_in(of, others[i].length, others[i].method);
-            const bool same = told(one, WHIRL_FIELD_REGIME_CODE) == told(other, WHIRL_FIELD_REGIME_CODE) &&
-                              told(one, WHIRL_FIELD_REGIME_PERIOD) == told(other, WHIRL_FIELD_REGIME_PERIOD);
-            if (!same && (has_gap(one) || told(other, WHIRL_FIELD_REGIME_CONFIDENCE) > WHIRL_LOW)) {
+            const bool same = number_of(one, WHIRL_FIELD_REGIME_CODE) == number_of(other, WHIRL_FIELD_REGIME_CODE) &&
+                              number_of(one, WHIRL_FIELD_REGIME_PERIOD) == number_of(other, WHIRL_FIELD_REGIME_PERIOD);
+            if (!same && (has_gap(one) || number_of(other, WHIRL_FIELD_REGIME_CONFIDENCE) > WHIRL_LOW)) {
                 wrong++;
                 print_error("%s by %s, length scale %s: regime %g for %g\n", of->name, others[i].method,
-                            others[i].length, told(other, WHIRL_FIELD_REGIME_CODE), told(one, WHIRL_FIELD_REGIME_CODE));
+                            others[i].length, number_of(other, WHIRL_FIELD_REGIME_CODE),
+                            number_of(one, WHIRL_FIELD_REGIME_CODE));
             }
             whirl_result_free(other);
         }

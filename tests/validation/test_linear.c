@@ -319,7 +319,7 @@ static void unequal_shaft_s_response(void **unused) {
 // ---------------------------------------------------------------- what has no equilibrium, or any number
 
 /// A disc that one spring and dampers hold has a rigid-body mode along the other axis, and a decay at c/m.
-static void held_along_one_axis(void **unused) {
+static void mounted_along_one_axis(void **unused) {
     const mounted m = {300, 8e4, 0, 40, 90};
     (void)unused;
     whirl_rotor *rotor = make_massive(&m, 0.0);
@@ -362,7 +362,7 @@ int main(void) {
         cmocka_unit_test(unequal_shaft),
         cmocka_unit_test(unequal_shaft_s_range),
         cmocka_unit_test(unequal_shaft_s_response),
-        cmocka_unit_test(held_along_one_axis),
+        cmocka_unit_test(mounted_along_one_axis),
         cmocka_unit_test(free_discs),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

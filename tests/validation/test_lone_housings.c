@@ -1,7 +1,6 @@
-// Elements at stations that move along one axis: along the other they are held, so that they are the limit of machines
-// whose stations a stiff spring holds there. Rates of change at the same state are the same, but for what the held
-// coordinate would do; eigenvalues by the exact Jacobian differ by the order of the element's stiffness over the
-// spring's.
+// Elements at stations that move along one axis and are fixed along the other: they are the limit of machines whose
+// stations a stiff spring holds there. Rates of change at the same state are the same, except for the motion of the
+// fixed coordinate; eigenvalues by the exact Jacobian differ by the order of the element's stiffness over the spring's.
 #include <complex.h>
 #include <math.h>
 #include <setjmp.h>
@@ -78,7 +77,7 @@ static const lone elements[] = {
     {"spring of it along xy", "spring: {between: [ped, ground], stiffness: 1e6, damping: 500}", false},
 };
 
-/// The spring that holds what `moves` holds, in the other machine.
+/// The spring of the other machine, along the axis that `moves` excludes.
 static const double stiff = 1e13;
 
 static whirl_rotor *make(const char *element, const char *moves, bool spring) {
@@ -162,7 +161,7 @@ static void check(const lone *of, const char *moves) {
     whirl_rotor_free(two);
 }
 
-static void they_are_held(void **state) {
+static void elements_act_along_one_axis(void **state) {
     (void)state;
     for (size_t i = 0; i < COUNT_OF(elements); i++)
         for (int along = 0; along < 2; along++) {
@@ -187,7 +186,7 @@ static void housings_that_stand(void **state) {
         }
 }
 
-static void those_that_need_a_plane(void **state) {
+static void elements_that_need_a_plane(void **state) {
     static const struct {
         const char *element, *sentence;
     } wrong[] = {
@@ -214,7 +213,8 @@ static void those_that_need_a_plane(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(they_are_held), cmocka_unit_test(housings_that_stand),
-                                       cmocka_unit_test(those_that_need_a_plane)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(elements_act_along_one_axis),
+                                       cmocka_unit_test(housings_that_stand),
+                                       cmocka_unit_test(elements_that_need_a_plane)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
 // Misalignment in its three senses: bearings off line, bores and faces of a coupling that run out, shafts at an angle
-// or beside each other that do not turn; and what they do to a machine.
+// or with parallel axes that do not turn; and their effect on a machine.
 #include <complex.h>
 #include <math.h>
 #include <setjmp.h>
@@ -188,7 +188,7 @@ static void a_motion_by_a_joint(void **unused) {
     whirl_rotor_free(rotor);
 }
 
-// ---------------------------------------------------------------- a coupling whose shafts stand beside each other
+// ---------------------------------------------------------------- a coupling between parallel shafts
 
 static const whirl_setting gibbons[] = {{"between", 0.0, "driving, driven"},
                                         {"distance", 0.05, NULL},

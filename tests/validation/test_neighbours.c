@@ -20,8 +20,8 @@ static const whirl_probe probe = {.name = "mass", .x = 0, .y = 0, .vx = 1, .vy =
 
 // ---------------------------------------------------------------- a hardening spring
 
-// A hardening spring, x'' + .1 x' + x + x^3 = F cos(w t), here in tau = w t. Between two folds an upper orbit stands
-// beside the lower one; its basin shrinks to nothing where w nears its fold.
+// A hardening spring, x'' + .1 x' + x + x^3 = F cos(w t), here in tau = w t. Between two folds an upper orbit coexists
+// with the lower one; its basin shrinks to nothing where w nears its fold.
 static void hardening(double w, double force, double cosine, const double *x, double *dx) {
     dx[0] = x[1];
     dx[1] = (force * cosine - x[0] - x[0] * x[0] * x[0] - 0.1 * w * x[1]) / (w * w);

@@ -341,7 +341,7 @@ static void period_of_van_der_pol(void **state) {
 
 // ---------------------------------------------------------------- what cannot be found
 
-static void what_is_no_orbit_is_refused(void **state) {
+static void other_motions_are_no_orbits(void **state) {
     (void)state;
     test_family family = duffing_family(1.0);
     const whirl_system system = system_of(&family);
@@ -371,6 +371,6 @@ int main(void) {
         cmocka_unit_test(multipliers_of_unequal_shaft),   cmocka_unit_test(multipliers_of_the_film_circle),
         cmocka_unit_test(multipliers_of_rub_orbits),      cmocka_unit_test(multipliers_of_full_annular_rub),
         cmocka_unit_test(segments_change_no_multiplier),  cmocka_unit_test(period_of_van_der_pol),
-        cmocka_unit_test(what_is_no_orbit_is_refused)};
+        cmocka_unit_test(other_motions_are_no_orbits)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

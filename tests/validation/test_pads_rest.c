@@ -340,16 +340,16 @@ static whirl_rotor *make_pushed(double q, double way, double scale) {
     return rotor;
 }
 
-/// Carries x, which begins beside where the machine rests, for 30 revolutions, and tells how far from there it ends.
+/// Carries x, which begins near the equilibrium, for 30 revolutions, and returns its final distance from there.
 static void check_comes_back(const whirl_system *system, const double *rest, double *x, double q, const char *from) {
     carry(system, x, 30, 400);
     check_within("Pads at rest", words("pads on springs, %g MN/m: place after 30 revolutions from %s", 1e-6 * q, from),
                  0.0, hypot(x[0] - rest[0], x[1] - rest[1]), 1e-5);
 }
 
-/// Machines that no place was found of while tilts jumped from one balance to the other: where motions settle, the same
-/// for the mirror image and in any unit of length. From 8 MN/m on there are two places of rest, and motions from the
-/// middle settle at the other one.
+/// Machines whose equilibrium was not found while tilts jumped from one balance to the other: it is found at the place
+/// where motions settle, for the mirror image and in any unit of length, too. From 8 MN/m on there are two equilibria,
+/// and motions from the middle settle at the other one.
 static void springs(void **unused) {
     enum { PUSHES = 14 };
     (void)unused;
@@ -380,8 +380,8 @@ static void springs(void **unused) {
     }
 }
 
-/// A machine with two places of rest keeps that which it is near: a motion from the middle that settles without the
-/// film of a pad that has one where `springs` rests.
+/// Of two equilibria a machine stays at the nearer one: a motion from the middle settles without the film of a pad that
+/// has one in the equilibrium of `springs`.
 static void kept(void **unused) {
     (void)unused;
     whirl_rotor *rotor = make_pushed(8e6, 1.0, 144.78e-6);

@@ -94,7 +94,7 @@ static void estimate_finds_a_known_dimension(void **state) {
 
 enum { STEPS = 100, PERIODS = 1000, WAYS = 3 };
 
-/// A motion of the pendulum with a perturbation beside it.
+/// A motion of the pendulum and a perturbation of it.
 typedef struct motion {
     double angle, rate, d_angle, d_rate;
 } motion;

@@ -313,9 +313,9 @@ static void slow_shafts(void **unused) {
     }
 }
 
-/// A rotor that rubs in chaos stays in chaos beside a small force that fits no revolution; where it runs in permanent
+/// A chaotic rotor that rubs stays chaotic under a small force that fits no revolution; where it runs in permanent
 /// contact that force makes a torus. Without the force: chaos and P-1 (cases/jeffcott-rub.yaml).
-static void chaos_beside_a_phase(void **unused) {
+static void chaos_with_a_phase(void **unused) {
     (void)unused;
     static const double speeds[] = {3.3, 1.5};
     static const char *const expected[] = {"chaotic", "quasi-periodic (forced)"};
@@ -505,7 +505,7 @@ int main(void) {
                                        cmocka_unit_test(along_one_axis),
                                        cmocka_unit_test(the_derivative),
                                        cmocka_unit_test(regimes),
-                                       cmocka_unit_test(chaos_beside_a_phase),
+                                       cmocka_unit_test(chaos_with_a_phase),
                                        cmocka_unit_test(sections_by_another_phase),
                                        cmocka_unit_test(slow_shafts),
                                        cmocka_unit_test(run_up),

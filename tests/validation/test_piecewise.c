@@ -96,7 +96,7 @@ static int locate(const exact *of, const double x[2]) {
 }
 
 /// Returns the time at which (y, v) leaves the piece, by bisection; y is outside at `span`.
-static double leave(const exact *of, const piece *on, double t, double span, const double x[2]) {
+static double time_of_exit(const exact *of, const piece *on, double t, double span, const double x[2]) {
     double inside = 0.0, outside = span, y[2];
     for (int i = 0; i < 200; i++) {
         const double middle = 0.5 * (inside + outside);
@@ -120,7 +120,7 @@ static void revolve_exactly(const exact *of, double x[2], double *volume) {
             const piece *on = &of->pieces[at];
             follow(of, on, t, end - t, x, y);
             const bool left = y[0] < on->low || y[0] > on->high;
-            const double span = left ? leave(of, on, t, end - t, x) : end - t;
+            const double span = left ? time_of_exit(of, on, t, end - t, x) : end - t;
             follow(of, on, t, span, x, y);
             memcpy(x, y, sizeof y);
             *volume -= on->c * span;
@@ -137,7 +137,7 @@ static void revolve_exactly(const exact *of, double x[2], double *volume) {
 /// Two slopes k1 = 4, k2 = 4/9 N/m: the period is pi (1/w1 + 1/w2) = 2 pi, and amplitudes are as the frequencies.
 static const whirl_setting two_slopes[] = {{"stiffness", 4.0, NULL}, {"loose_stiffness", 4.0 / 9.0, NULL}};
 
-static void note_middle(void *observer, double t, const double *x) {
+static void record_middle(void *observer, double t, const double *x) {
     if (fabs(t - pi) < 1e-9) memcpy(observer, x, 4 * sizeof *x);
 }
 
@@ -152,7 +152,7 @@ static void l1_seat_on_ground(void **unused) {
         whirl_integrator *integrator = make(rotor, method);
         double x[2] = {0.9, 0.0}, middle[4] = {0.0}, y[2] = {0.0, 0.6};
         for (int i = 0; i < 10; i++) {
-            assert_int_equal(whirl_integrator_revolve(integrator, x, note_middle, middle), WHIRL_BOUNDED);
+            assert_int_equal(whirl_integrator_revolve(integrator, x, record_middle, middle), WHIRL_BOUNDED);
             assert_int_equal(whirl_integrator_revolve(integrator, y, NULL, NULL), WHIRL_BOUNDED);
         }
         check_within("L1", words("%s, after 10 periods pi (1/w1 + 1/w2): y", method), 0.9, x[0], 1e-10);

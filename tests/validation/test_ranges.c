@@ -1,4 +1,4 @@
-// Ranges of laws, and what friction takes: motions and rests whose numbers are known.
+// Ranges of laws, and the power of friction: motions and equilibria whose numbers are known.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -99,7 +99,7 @@ static void unknown_friction_is_missing(void **state) {
 }
 
 /// Torques are right in a sweep that begins without friction, and in lanes next to others that touch.
-static void friction_is_told_of_every_machine(void **state) {
+static void friction_is_that_of_every_machine(void **state) {
     static const char *const stators[] = {"rub: {at: disc, gap: 0.2 mm, stiffness: 2 MN/m, friction: = f, radius: 50",
                                           "blade_rub: {at: disc, blades: 4, gap: 0.2 mm, stiffness: 2e6, friction: = f"
                                           ", radius: 50"};
@@ -142,7 +142,7 @@ static void expect_left(const whirl_result *result, size_t table, const char *be
 }
 
 /// A journal under loads to the wall: the very eccentricity of motion and rest.
-static void films_tell_where_they_end(void **state) {
+static void eccentricity_at_the_wall_is_reported(void **state) {
     (void)state;
     whirl_result *result = result_of_text(
         "whirl: 1\nparameters: {load: 10 m/s2}\nrotor:\n  speed: 3000 rpm\n  length_scale: 0.1 mm\n  stations:\n"
@@ -166,7 +166,7 @@ static void films_tell_where_they_end(void **state) {
 
 /// The pressure of a ball under the whole load, by Hertz's integrals themselves (to five digits); the fit of the
 /// ellipse errs by less than 1 % of the pressure.
-static void balls_tell_their_pressure(void **state) {
+static void pressure_of_a_ball_is_reported(void **state) {
     (void)state;
     whirl_result *result = result_of_text(
         "whirl: 1\nrotor:\n  speed: 0.001 rad/s\n  length_scale: 0.1 mm\n  stations:\n    hub: {mass: 1000 kg}\n"
@@ -180,9 +180,9 @@ static void balls_tell_their_pressure(void **state) {
     whirl_result_free(result);
 }
 
-/// A disc on a spring k whose weight W lies on a stator of stiffness K, that shares what the gap leaves of it:
+/// A disc on a spring k that rests by its weight W on a stator of stiffness K, which carries the part beyond the gap:
 /// N = (W - k gap) K / (k + K). A second stator is out of reach.
-static void contacts_hold_what_rests_on_them(void **state) {
+static void contact_forces_at_rest(void **state) {
     static const char *const studies[] = {"modes", "unbalance", "critical_speeds"};
     (void)state;
     for (size_t s = 0; s < sizeof studies / sizeof *studies; s++) {
@@ -216,9 +216,9 @@ static void contacts_hold_what_rests_on_them(void **state) {
     }
 }
 
-/// A blade on a disc that rests: the mean over its turn, wherever it begins. In the direction of the load the means of
-/// its forces are what the spring leaves of the weight; they are no more than that of its normal force.
-static void blades_are_held_in_the_mean(void **state) {
+/// Forces of a blade on a disc at rest are means over a revolution, for any initial angle. In the direction of the load
+/// the mean force is the weight less the spring's force; no mean exceeds that of the normal force.
+static void blade_forces_at_rest_are_means(void **state) {
     double first = 0.0;
     (void)state;
     for (int angle = 0; angle < 360; angle += 90) {
@@ -245,10 +245,14 @@ static void blades_are_held_in_the_mean(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(annular_rub_takes_its_power),      cmocka_unit_test(blades_take_their_power),
-        cmocka_unit_test(unknown_friction_is_missing),      cmocka_unit_test(friction_is_told_of_every_machine),
-        cmocka_unit_test(films_tell_where_they_end),        cmocka_unit_test(balls_tell_their_pressure),
-        cmocka_unit_test(contacts_hold_what_rests_on_them), cmocka_unit_test(blades_are_held_in_the_mean),
+        cmocka_unit_test(annular_rub_takes_its_power),
+        cmocka_unit_test(blades_take_their_power),
+        cmocka_unit_test(unknown_friction_is_missing),
+        cmocka_unit_test(friction_is_that_of_every_machine),
+        cmocka_unit_test(eccentricity_at_the_wall_is_reported),
+        cmocka_unit_test(pressure_of_a_ball_is_reported),
+        cmocka_unit_test(contact_forces_at_rest),
+        cmocka_unit_test(blade_forces_at_rest_are_means),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -371,7 +371,7 @@ static void dents_in_lanes(void **unused) {
 }
 
 /// Radii 1 to 3: the cage at a quarter of the speed, balls about themselves at three quarters.
-static void what_fits(void **unused) {
+static void common_periods(void **unused) {
     (void)unused;
     const rolling bearing = {"", "ball_bearing", 8, 1, true, 1.5, 1e10, 0, 0.01, 0.03, 0, 0, 0, 0, {0}, {0}, {0}};
     static const size_t expected[] = {1, 1, 1, 4};
@@ -424,7 +424,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rollers_under_a_load),  cmocka_unit_test(loose_bearings_come_to_rest),
         cmocka_unit_test(forces_as_written),     cmocka_unit_test(motion_over_dents),
-        cmocka_unit_test(dents_in_lanes),        cmocka_unit_test(what_fits),
+        cmocka_unit_test(dents_in_lanes),        cmocka_unit_test(common_periods),
         cmocka_unit_test(wrong_ones_are_refused)};
     return cmocka_run_group_tests_name("rolling", tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
-// Motions that stand side by side on the paper's rotor: which of them the starts lead to, against brute force of the
-// equations as a careful person would write them down (bench/equations.h has the film), by plain RK4.
+// Coexisting motions of the paper's rotor: the shares of starts that lead to each, against brute force of independently
+// written equations (bench/equations.h has the film), by plain RK4.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -194,7 +194,7 @@ static void check_shares(const expected *at, const whirl_table *table, const whi
                  (double)reached[0], 2.0);
 }
 
-static void starts_lead_where_brute_force_says(void **state) {
+static void basins_agree_with_brute_force(void **state) {
     static const expected values[] = {
         {0.58, "r_k = .58", {1, 7}}, {0.493, "r_k = .493", {5, 5}}, {0.300123, "r_k = .300123", {4, 4}}};
     grid g = make_grid();
@@ -216,6 +216,6 @@ static void starts_lead_where_brute_force_says(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(starts_lead_where_brute_force_says)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(basins_agree_with_brute_force)};
     return cmocka_run_group_tests(tests, tabulate, NULL);
 }

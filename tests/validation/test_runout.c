@@ -92,7 +92,7 @@ static void profiles_and_vectors(void **unused) {
         snprintf(text + used, sizeof text - used, "%.17g%s",
                  1e-6 * (7.0 + 3.0 * cos(psi - 0.5) + 2.0 * cos(2.0 * (psi + 0.2))), j < 11 ? ", " : "]}\n");
     }
-    whirl_result *told = run_out(false, 1e-5, text),
+    whirl_result *one_by_one = run_out(false, 1e-5, text),
                  *same = run_out(false, 1e-5,
                                  "    - runout: {at: disc, amplitude: 3 um, angle: 0.5}\n"
                                  "    - runout: {at: disc, amplitude: 2 um, order: 2, angle: -0.2}\n"),
@@ -102,7 +102,7 @@ static void profiles_and_vectors(void **unused) {
                                   "    - runout: {at: disc, amplitude: 2 um, order: 2, angle: -0.2}\n");
     const double *samples[3];
     double worst[2] = {0.0, 0.0};
-    whirl_result *const all[] = {told, same, apart};
+    whirl_result *const all[] = {one_by_one, same, apart};
     for (int i = 0; i < 3; i++)
         samples[i] =
             whirl_table_field(table_of(all[i], WHIRL_FIELD_WAVEFORM_SAMPLES), 0, WHIRL_FIELD_WAVEFORM_SAMPLES, 0);
@@ -159,7 +159,7 @@ static whirl_rotor *allowed(const whirl_setting *settings, size_t count) {
     return rotor;
 }
 
-static void what_a_grade_allows(void **unused) {
+static void unbalance_of_a_grade(void **unused) {
     (void)unused;
     static const struct {
         double first, second, share;
@@ -263,7 +263,7 @@ static void refusals(void **unused) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_surface_that_passes), cmocka_unit_test(profiles_and_vectors),   cmocka_unit_test(responses),
-        cmocka_unit_test(what_a_grade_allows),   cmocka_unit_test(a_shaft_by_its_drawing), cmocka_unit_test(refusals),
+        cmocka_unit_test(unbalance_of_a_grade),  cmocka_unit_test(a_shaft_by_its_drawing), cmocka_unit_test(refusals),
     };
     return cmocka_run_group_tests_name("runout", tests, NULL, NULL);
 }

@@ -257,7 +257,7 @@ static whirl_result *run_unbalances(const char *rotor, const char *unbalances) {
 }
 
 /// The same unbalances, written in other ways, and their mirror image turn the shaft alike.
-static void unbalances_said_otherwise(void **state) {
+static void unbalances_written_in_other_ways(void **state) {
     static const struct {
         const char *what, *rotor[2], *unbalances[2];
         double mirrored; ///< sign of y in the second
@@ -317,7 +317,7 @@ static whirl_result *run_ueda(double duration, const char *tolerance) {
 }
 
 /// Returns the difference of the last displacements at two tolerances, over the largest radius.
-static double apart_by_tolerance(double duration) {
+static double difference_of_tolerances(double duration) {
     whirl_result *const both[] = {run_ueda(duration, "1e-10"), run_ueda(duration, "1e-11")};
     double place[2][2], radius = 0.0;
     for (size_t i = 0; i < 2; i++) {
@@ -337,8 +337,9 @@ static void sensitive_runs(void **state) {
     const double at = first_number(result, WHIRL_FIELD_RUNUP_SENSITIVITY, 0, 3);
     check_holds("Run-up", "Ueda's oscillator is sensitive", at > 50.0 && at < 390.0);
     whirl_result_free(result);
-    check_holds("Run-up", "two tolerances differ by a hundredth at its end", apart_by_tolerance(400.0) > 0.01);
-    check_within("Run-up", "two tolerances agree before half of the time", 0.0, apart_by_tolerance(0.5 * at), 1e-3);
+    check_holds("Run-up", "two tolerances differ by a hundredth at its end", difference_of_tolerances(400.0) > 0.01);
+    check_within("Run-up", "two tolerances agree before half of the time", 0.0, difference_of_tolerances(0.5 * at),
+                 1e-3);
     result = run_disc("1 m", 0.1, 1.0, rub, "rate: 0.003 rad/s2, duration: 700 s");
     check_holds("Run-up", "a rub of one contact is not sensitive",
                 isnan(first_number(result, WHIRL_FIELD_RUNUP_SENSITIVITY, 0, 3)) &&
@@ -468,7 +469,7 @@ static void events_at_one_instant(void **state) {
     whirl_result_free(result);
 }
 
-// ---------------------------------------------------------------- beside a steady machine
+// ---------------------------------------------------------------- compared with a steady machine
 
 /// A slow run through a shaft of finite elements with a disc, and bearings whose coefficients are a table over the
 /// speed, meets the response at constant speed; the difference falls with the rate.
@@ -560,7 +561,7 @@ int main(void) {
                                        cmocka_unit_test(two_discs_on_one_shaft),
                                        cmocka_unit_test(two_discs_otherwise),
                                        cmocka_unit_test(a_million_turns_behind),
-                                       cmocka_unit_test(unbalances_said_otherwise),
+                                       cmocka_unit_test(unbalances_written_in_other_ways),
                                        cmocka_unit_test(sommerfeld),
                                        cmocka_unit_test(stationary_speeds),
                                        cmocka_unit_test(samples_change_nothing),

@@ -586,7 +586,7 @@ static void refused(void **unused) {
     assert_int_equal(whirl_sensitivity_new(&study, &batch, 0.0, 0.0, &sensitivity).code, WHIRL_BAD_INPUT);
     assert_null(sensitivity);
     assert_int_equal(whirl_sensitivity_new(&study, &batch, -1.0, 0.0, &sensitivity).code, WHIRL_BAD_INPUT);
-    // Half the gap beside it is no gap any more: the reach is halved until all can be built.
+    // A reach of half the gap or more could leave no gap: it is halved until all machines can be built.
     require_ok(whirl_sensitivity_new(&study, &batch, 1.0, 4.0, &sensitivity));
     assert_int_equal(whirl_extended_new(WHIRL_MAX_SENSITIVITIES + 1, &sensitivity, &extended).code, WHIRL_BAD_INPUT);
     assert_null(extended);

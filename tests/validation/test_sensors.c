@@ -195,7 +195,7 @@ static void pulses(void **unused) {
     channel.jitter = 1e-3;
     channel.pulses = 1;
     take(&record, &channel, PER_TURN);
-    // A pulse reaches into the samples beside those that it covers.
+    // A pulse reaches into the samples next to those that it covers.
     double squares = 0.0;
     for (size_t turn = 1; turn < 99; turn++) {
         const float *middle = taken + turn * PER_TURN;

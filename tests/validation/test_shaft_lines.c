@@ -52,7 +52,7 @@ static void expect_sines(const char *what, double length, const char *shaft, int
     require_ok(whirl_modes_new(machine.system, machine.start, &modes));
     assert_true(line.count > 90 && line.position[0] == 0.0);
     for (int n = 1; n <= 3; n++) {
-        // Of the pair along x and y, the mixture that the solver has: both planes are told by their own station.
+        // Of the pair along x and y, the mixture that the solver returns: each plane is scaled by its own station.
         const double *mode = modes->vectors + 2 * (size_t)(2 * (n - 1)) * modes->dimension;
         const whirl_probe *beside = &machine.system->probes[1];
         const int axis =

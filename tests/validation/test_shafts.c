@@ -412,9 +412,9 @@ static void check_free(const char *what, const char *text, double lowest, double
 }
 
 /// A shaft and coupled discs in free space move along and tilt about two axes at no frequency. The lowest mode of a
-/// free shaft has cosh(k L) cos(k L) = 1, k L = 4.730040745 (Rao 2007, 11.5); spinning discs' tilt together goes round
-/// at I_p/I_d times the speed, beside two tilts that rest.
-static void rigid_body_modes_are_told_apart(void **state) {
+/// free shaft has cosh(k L) cos(k L) = 1, k L = 4.730040745 (Rao 2007, 11.5); spinning discs tilt together
+/// at I_p/I_d times the speed; two tilts have no frequency.
+static void rigid_body_modes_are_recognised(void **state) {
     static const char *const reduced[] = {"reduce: no", "modes: 16"};
     const double area = pi / 4.0 * 0.08 * 0.08, ei = 2.11e11 * pi / 64.0 * pow(0.08, 4.0);
     (void)state;
@@ -563,7 +563,7 @@ int main(void) {
         cmocka_unit_test(static_displacements_are_exact),
         cmocka_unit_test(frequencies_come_nearer_as_more_is_kept),
         cmocka_unit_test(a_coupling_joins_offsets_and_tilts),
-        cmocka_unit_test(rigid_body_modes_are_told_apart),
+        cmocka_unit_test(rigid_body_modes_are_recognised),
         cmocka_unit_test(two_shafts_are_reduced_side_by_side),
         cmocka_unit_test(energy_is_kept_to_the_order_of_the_method),
         cmocka_unit_test(the_reduced_rotor_comes_nearer_to_the_full_one),

@@ -1,5 +1,5 @@
-// Slow motions of known answer: what settles on P-1 over tens of thousands of revolutions is known long before it
-// returns, and what only looks like it is not taken for it.
+// Slow motions whose regime is known: a motion that settles on P-1 over tens of thousands of revolutions is recognised
+// long before it returns, and motions that only resemble it are not judged P-1.
 //
 // All are driven by cos t. With the rate a per revolution (a/2 pi per unit of time, s below):
 // - beats: x'' + 2 s x' + w^2 x = cos t, one oscillator or two, with irrational w: settles, by exp(-a) a revolution;

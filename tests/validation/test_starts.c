@@ -1,6 +1,6 @@
-// Motions side by side: which attractors there are at every point of a study with several starts, and how many starts
-// lead to each, against brute force that knows nothing of whirl: equations of its own, RK4, starts by digits of its
-// own, and kinds of motions by how they return.
+// Coexisting motions: the attractors at every point of a study with several starts, and the number of starts that lead
+// to each, against independent brute force: its own equations, RK4 and quasi-random starts; kinds of motions follow
+// from their returns.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -136,7 +136,7 @@ static void compare_wells(const whirl_table *table, const whirl_coexistence *fou
 }
 
 /// Attractors, their kinds and their shares are right at every point, and each well keeps one number.
-static void wells_are_told_apart(void **state) {
+static void wells_are_distinguished(void **state) {
     whirl_coexistence found;
     (void)state;
     enum { WELLS = sizeof two_wells / sizeof *two_wells };
@@ -154,7 +154,7 @@ static void wells_are_told_apart(void **state) {
             const double other = *whirl_table_field(table, k, "orbit/mean", 0);
             if (found.labels[k] == label) kept = kept && mean * other > 0.0;
         }
-        kept = kept && one->beside == 2;
+        kept = kept && one->coexisting == 2;
     }
     check_holds("starts", "D2, F = .18 to .29: each well has a number of its own, through the doublings", kept);
     whirl_coexistence_free(&found);
@@ -177,7 +177,7 @@ static void chaos_is_about_both_wells(void **state) {
 // ---------------------------------------------------------------- the paper's rotor
 
 /// One of the motions at a ratio of stiffness: after how many revolutions it returns, and between which bounds the
-/// largest x of its section lies; and a transient after which the others are told from it.
+/// largest x of its section lies; and a transient after which it can be distinguished from the others.
 typedef struct ratio {
     double r_k;
     int period, transient;
@@ -283,7 +283,7 @@ static void the_paper_has_its_motions(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(wells_are_told_apart),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(wells_are_distinguished),
                                        cmocka_unit_test(chaos_is_about_both_wells),
                                        cmocka_unit_test(the_paper_has_its_motions)};
     return cmocka_run_group_tests(tests, NULL, NULL);

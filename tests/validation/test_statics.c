@@ -168,7 +168,7 @@ static void two_layers(void **unused) {
     check_relative("B14", "two layers: mass left of the middle, kg", 0.5 * line * L, at[1].mass[0], 1e-9);
 }
 
-static void what_is_refused(void **unused) {
+static void wrong_input_is_refused(void **unused) {
     static const double places[] = {0.0, 1.0, 2.0};
     static const bool two[] = {true, false, true}, one[] = {true, false, false};
     whirl_station_statics at[MAX_STATIONS];
@@ -187,8 +187,9 @@ static void what_is_refused(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(beam_with_overhang), cmocka_unit_test(three_bearings),  cmocka_unit_test(aligned_rotors),
-        cmocka_unit_test(two_layers),         cmocka_unit_test(what_is_refused),
+        cmocka_unit_test(beam_with_overhang),     cmocka_unit_test(three_bearings),
+        cmocka_unit_test(aligned_rotors),         cmocka_unit_test(two_layers),
+        cmocka_unit_test(wrong_input_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

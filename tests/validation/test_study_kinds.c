@@ -133,7 +133,7 @@ static whirl_case *case_of(size_t i) {
 }
 
 /// The kinds of studies are those of the message that lists them.
-static void every_kind_is_looked_at(void **state) {
+static void every_kind_of_study_is_run(void **state) {
     static const char before[] = "has none of ";
     char text[SIZE], problems[SIZE], *rest = NULL;
     whirl_case *object = NULL;
@@ -185,7 +185,7 @@ static char *text_of(const char *folder) {
 }
 
 /// Checks that no renderer calls points undetermined that were not judged: summary, JSON, CSV, report with its figures.
-static void no_verdict_is_said(const whirl_result *result, const char *study) {
+static void check_no_verdict_is_printed(const whirl_result *result, const char *study) {
     static const char *const name[] = {"kind"};
     char folder[] = "/tmp/whirl-kind-XXXXXX", path[64];
     for (size_t t = 0; t < result->table_count; t++) {
@@ -229,7 +229,7 @@ static void finished_files_are_recognised(void **state) {
                 fail_msg("there is no point in the %s of: %s", result->tables[t].name, studies[i].study);
         if (!whirl_result_same_study(read, outline, difference, sizeof difference))
             fail_msg("%s: %s", difference, studies[i].study);
-        no_verdict_is_said(result, studies[i].study);
+        check_no_verdict_is_printed(result, studies[i].study);
         // A result of another machine is not of the same study.
         read->parameters[0].value += 0.1;
         assert_false(whirl_result_same_study(read, outline, difference, sizeof difference));
@@ -255,7 +255,7 @@ static void motions_without_a_verdict(void **state) {
             continue;
         require_ok(whirl_case_run(object, &(whirl_run_options){.threads = 1}, &result));
         assert_false(whirl_layout_has_verdict(&result->tables[0].layout));
-        no_verdict_is_said(result, studies[i].study);
+        check_no_verdict_is_printed(result, studies[i].study);
         looked++;
         whirl_result_free(result);
         whirl_case_free(object);
@@ -305,7 +305,7 @@ static int remove_measured(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_kind_is_looked_at),
+        cmocka_unit_test(every_kind_of_study_is_run),
         cmocka_unit_test(finished_files_are_recognised),
         cmocka_unit_test(motions_without_a_verdict),
         cmocka_unit_test(stopped_before_the_first_point),

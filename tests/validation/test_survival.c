@@ -79,7 +79,7 @@ static void ends_are_counted(void **state) {
         const double more = found.copies * -expm1(-(lived + 200.0) / life);
         assert_true(found.ended >= mean - 4.0 * sqrt(mean) && found.ended <= more + 4.0 * sqrt(more));
         assert_true(found.cost >= found.revolutions);
-        // The mean life that a verdict tells, all revolutions over the ends, is the true one.
+        // The mean life in a verdict, all revolutions over the ends, is the true one.
         assert_true(fabs(found.revolutions / found.ended / life - 1.0) <= 4.0 / sqrt(found.ended) + 400.0 / life);
         ends += found.ended;
         expected += mean;
@@ -87,7 +87,7 @@ static void ends_are_counted(void **state) {
     assert_true(ends >= expected - 3.0 * sqrt(expected) && ends <= 2.0 * expected + 3.0 * sqrt(expected));
 }
 
-static void what_lasts_has_no_ends(void **state) {
+static void lasting_chaos_has_no_ends(void **state) {
     (void)state;
     for (int i = 0; i < 3; i++) {
         whirl_survival found;
@@ -162,7 +162,7 @@ static void shorter_lives_are_not_high(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(ends_are_counted),
-        cmocka_unit_test(what_lasts_has_no_ends),
+        cmocka_unit_test(lasting_chaos_has_no_ends),
         cmocka_unit_test(verdict_says_how_long),
         cmocka_unit_test(shorter_lives_are_not_high),
     };

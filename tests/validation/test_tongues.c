@@ -1,4 +1,4 @@
-// Arnold tongues: where an oscillator locks to what drives it. Its phase turns by 2 pi Omega in the first third of a
+// Arnold tongues: where an oscillator locks to its drive. Its phase turns by 2 pi Omega in the first third of a
 // period, is drawn towards 0 by theta' = -K sin theta in the second and towards 0 and pi by theta' = -K/2 sin 2 theta
 // in the last, so that the map from section to section is known in closed form: tan(theta/2) and tan(theta) shrink by
 // exp(-K). Tongues' boundaries are found from that map, to all digits.

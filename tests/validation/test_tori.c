@@ -23,7 +23,7 @@ static void cosine(const void *model, double t, double *forcing) {
 
 // ---------------------------------------------------------------- a torus in closed form
 
-/// z' = (p + i(w + b |z|^2)) z - (s + q |z|^2) |z|^2 z beside x' = cos t - x, seen in other coordinates: u = Re z,
+/// z' = (p + i(w + b |z|^2)) z - (s + q |z|^2) |z|^2 z and x' = cos t - x, in other coordinates: u = Re z,
 /// v = Im z/(1 - e Re z), x + u^2. With s = 1, q = 0 the circle |z|^2 = p is a torus, stable, of rotation number w + b
 /// p and exponents -4 pi p and -2 pi a revolution; with s = -1 that of |z|^2 = -p is unstable.
 enum { GROWTH, ANGULAR, BEND, SHAPE, SIGN, FIFTH };
@@ -280,7 +280,7 @@ static void widen(void *context, double t, const double *X) {
 }
 
 /// All numbers along the branch lie on the torus, whose first coordinate tends to the circle's radius.
-static void what_is_seen_along_a_torus(void **state) {
+static void extremes_along_a_torus(void **state) {
     (void)state;
     const test_family family = bent_family(0.36, 0.3137, 1.0);
     const whirl_system system = system_of(&family);
@@ -340,7 +340,7 @@ static test_family van_der_pol_family(double mu, double strength, double rate) {
                          .varied = STRENGTH};
 }
 
-static void van_der_pol_beside_a_long_motion(void **state) {
+static void van_der_pol_and_a_long_motion(void **state) {
     static const double rows[][3] = {{0.5, 0.5, 1.7}, {1.0, 0.4, 2.3}};
     enum { SETTLING = 300, COUNT = 3000, STEPS = 800, CHECKED = 300 };
     const double start[2] = {1.5, 0.0};
@@ -447,7 +447,7 @@ static void expect_refusal(const char *words_of_it, whirl_status status) {
     assert_non_null(strstr(status.message, words_of_it));
 }
 
-static void what_is_refused(void **state) {
+static void wrong_input_is_refused(void **state) {
     (void)state;
     enum { COUNT = 200 };
     const test_family family = bent_family(0.36, 0.3137, 1.0);
@@ -507,10 +507,10 @@ int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(tori_in_closed_form),
                                        cmocka_unit_test(a_branch_in_closed_form),
                                        cmocka_unit_test(a_branch_turns),
-                                       cmocka_unit_test(what_is_seen_along_a_torus),
-                                       cmocka_unit_test(van_der_pol_beside_a_long_motion),
+                                       cmocka_unit_test(extremes_along_a_torus),
+                                       cmocka_unit_test(van_der_pol_and_a_long_motion),
                                        cmocka_unit_test(a_torus_locks),
                                        cmocka_unit_test(a_torus_shrinks),
-                                       cmocka_unit_test(what_is_refused)};
+                                       cmocka_unit_test(wrong_input_is_refused)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
-// Tori of the paper's rotor without its stator, past its Neimark-Sacker points (case E3): beside long motions of the
-// same equations written anew, and beside the normal form.
+// Tori of the paper's rotor without its stator, past its Neimark-Sacker points (case E3): compared with long motions of
+// independently written equations, and with the normal form.
 #include <complex.h>
 #include <math.h>
 #include <setjmp.h>

@@ -1,4 +1,4 @@
-// Tori as a study follows them: in closed form, and beside motions that the same rotor runs by integration.
+// Tori of studies, compared with closed forms and with motions of the same rotor by integration.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -23,7 +23,7 @@ static double number(const whirl_table *table, size_t point, const char *field) 
 
 // ---------------------------------------------------------------- a circle in closed form
 
-/// z' = (p + i(w + b |z|^2) - |z|^2) z beside x' = cos t - x, u = Re z, v = Im z: from p = 0 on the circle |z|^2 = p is
+/// z' = (p + i(w + b |z|^2) - |z|^2) z and x' = cos t - x, u = Re z, v = Im z: from p = 0 on the circle |z|^2 = p is
 /// a torus of rotation number w + b p and exponents -4 pi p and -2 pi a revolution.
 typedef struct circle {
     double growth, angular, bend;
@@ -167,7 +167,7 @@ static void no_torus_at_a_quarter_of_a_turn(void **state) {
     whirl_result_free(result);
 }
 
-// ---------------------------------------------------------------- a rotor beside its own motions
+// ---------------------------------------------------------------- a rotor and its own motions
 
 static const char *const rotor =
     "whirl: 1\nparameters: {r_k: 0.6, omega: 650 rad/s, c: 0.2 mm, k2: = 50*(650/0.2)^2}\n"
@@ -247,8 +247,8 @@ static size_t nearest_row(const whirl_table *table, double value) {
 }
 
 /// The torus begins at r_k = .46524 and ends at .39251, where the branch has its Neimark-Sacker points: it is followed
-/// once. Three of its rows beside motions that are followed by integration.
-static void a_rotor_beside_its_motions(void **state) {
+/// once. Three of its rows are compared with motions by integration.
+static void a_rotor_and_its_motions(void **state) {
     char study[512];
     (void)state;
     whirl_result *result = run_rotor("  branch: {parameter: r_k, from: 0.6, to: 0.38, switches: 0, tori: yes}\n");
@@ -277,7 +277,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_circle_from_a_study),
         cmocka_unit_test(no_torus_at_a_quarter_of_a_turn),
-        cmocka_unit_test(a_rotor_beside_its_motions),
+        cmocka_unit_test(a_rotor_and_its_motions),
     };
     return cmocka_run_group_tests_name("tori study", tests, NULL, NULL);
 }

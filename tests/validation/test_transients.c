@@ -1,5 +1,5 @@
 // Transient chaos: how many chaotic transients are called chaotic with high confidence, and how many lasting motions
-// keep it. What a motion is in the end is found by following it for fifty times as long, where theory does not tell.
+// keep it. If theory does not give the final regime of a motion, it is followed for fifty times as long.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -81,7 +81,7 @@ typedef struct family {
     member *(*make)(double value);
     int steps;
     size_t members, quick; ///< in a soak, and else
-    bool all_end;          ///< by theory; else a long run tells
+    bool all_end;          ///< by theory; else by a long run
     bool coexists;         ///< with a stable orbit close by, so that what lasts is doubted, too
 } family;
 

@@ -1,5 +1,5 @@
-// Studies whose machines differ in more than numbers: what a run refuses, a check refuses in the same words; and what
-// runs has the bits of each point alone.
+// Studies whose machines differ in more than numbers: check refuses every study that run refuses, in the same words;
+// the other studies have the bits of each point alone.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -79,7 +79,7 @@ static whirl_result *run(const char *text, int threads) {
 
 /// Each point of the sweep has the bits of a study of its own, for all other machines in the lanes, on one thread or
 /// two.
-static void they_run(void **state) {
+static void unlike_machines_run(void **state) {
     (void)state;
     for (size_t i = 0; i < COUNT_OF(running); i++)
         for (int adaptive = 0; adaptive < 2; adaptive++) {
@@ -152,6 +152,6 @@ static void they_are_refused(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(they_run), cmocka_unit_test(they_are_refused)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(unlike_machines_run), cmocka_unit_test(they_are_refused)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

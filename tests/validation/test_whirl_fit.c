@@ -1,5 +1,5 @@
-// Bearings with coefficients over the frequency of whirl in time: rational functions with states of their own, beside
-// the machine that their tables are of, beside linear studies of the tables, and beside closed forms.
+// Bearings with coefficients over the frequency of whirl in motions: rational functions with states of their own,
+// compared with the machines that the tables come from, with linear studies of the tables, and with closed forms.
 #include <complex.h>
 #include <math.h>
 #include <setjmp.h>
@@ -474,10 +474,10 @@ static void tilting_pads(void **state) {
     study.batches[0] = study.batches[1]; // its modes
     study.batch_count = 1;
     require_ok(whirl_study_run(&study, &(whirl_run_options){.threads = 1}, &result));
-    const whirl_table *told = &result->tables[0];
-    const whirl_field *field = whirl_layout_field(&told->layout, WHIRL_FIELD_MODES_CRITICAL);
-    for (size_t point = 0; point < told->count; point++) {
-        const double *row = whirl_table_field(told, point, WHIRL_FIELD_MODES_CRITICAL, 0);
+    const whirl_table *critical = &result->tables[0];
+    const whirl_field *field = whirl_layout_field(&critical->layout, WHIRL_FIELD_MODES_CRITICAL);
+    for (size_t point = 0; point < critical->count; point++) {
+        const double *row = whirl_table_field(critical, point, WHIRL_FIELD_MODES_CRITICAL, 0);
         for (size_t i = 0; i < field->rows; i++, row += field->columns)
             if (row[0] == WHIRL_ONSET) threshold = row[1];
     }
@@ -551,7 +551,7 @@ static void refused(void **state) {
 }
 
 /// Returns the result of a case with this bearing.
-static whirl_result *told_of(const char *bearing) {
+static whirl_result *result_with_bearing(const char *bearing) {
     static char text[WHOLE], problems[WHOLE];
     whirl_case *object = NULL;
     whirl_result *result = calloc(1, sizeof *result);
@@ -568,8 +568,9 @@ static whirl_result *told_of(const char *bearing) {
 }
 
 static void warned_of(void **state) {
-    whirl_result *result = told_of("frequencies: [0, 50, 100, 150, 200, 250], kxx: [1e6, 1.01e6, 1.02e6, 1.03e6, "
-                                   "1.04e6, 1.05e6], kxy: 8e4, kyx: -8e4, cxx: 100");
+    whirl_result *result =
+        result_with_bearing("frequencies: [0, 50, 100, 150, 200, 250], kxx: [1e6, 1.01e6, 1.02e6, 1.03e6, "
+                            "1.04e6, 1.05e6], kxy: 8e4, kyx: -8e4, cxx: 100");
     (void)state;
     check_holds("Whirl in time", "warned of: an instability beyond the table, which says nothing there",
                 strncmp(whirl_result_warning(result, 0),
@@ -580,12 +581,14 @@ static void warned_of(void **state) {
     check_holds("Whirl in time", "told: the fit and its error",
                 strncmp(whirl_result_fit(result, 0), "bearing at disc: in time 4 poles, off its table by ", 50) == 0);
     whirl_result_free(result);
-    result = told_of("frequencies: [0, 200, 300, 390, 400, 410, 500, 1000], kxx: 1.6e6, cxx: [200, 200, 200, -50, -50, "
-                     "-50, 200, 200], poles: 0, fit_error: 50 %");
+    result = result_with_bearing(
+        "frequencies: [0, 200, 300, 390, 400, 410, 500, 1000], kxx: 1.6e6, cxx: [200, 200, 200, -50, -50, "
+        "-50, 200, 200], poles: 0, fit_error: 50 %");
     check_holds("Whirl in time", "warned of: a mode that is stable by the function and unstable by the table",
                 strstr(whirl_result_warning(result, 0), "one is stable, the other is not"));
     whirl_result_free(result);
-    result = told_of("frequencies: [0, 200, 400, 600, 800, 1000], kxx: 1.6e6, cxx: [200, 195, 190, 185, 180, 175]");
+    result = result_with_bearing(
+        "frequencies: [0, 200, 400, 600, 800, 1000], kxx: 1.6e6, cxx: [200, 195, 190, 185, 180, 175]");
     check_holds("Whirl in time", "nothing to warn of", !*whirl_result_warning(result, 0));
     whirl_result_free(result);
 }

@@ -181,7 +181,7 @@ static void all_of_them(void **state) {
 
 // ---------------------------------------------------------------- a bearing with a state of its own
 
-/// A spring, and beside it a spring and a damper in series: Z(s) = k0 + k1 T s/(1 + T s), T = c1/k1.
+/// A spring, in parallel with a spring and a damper in series: Z(s) = k0 + k1 T s/(1 + T s), T = c1/k1.
 typedef struct solid {
     double mass, k0, k1, relaxation;
 } solid;

@@ -183,7 +183,7 @@ def test_limits_of_weights(tmp_path, seed):
         assert inwards.real > -1e-7 * scale if abs(u) >= limit * (1 - 1e-9) else abs(s) < 1e-7 * scale
 
 
-def test_slow_roll_is_taken_off(tmp_path):
+def test_slow_roll_is_subtracted(tmp_path):
     influence, vibration = numbers(7)
     rolls = vibration[::-1] * 0.4j
     file = known(influence, vibration + rolls)

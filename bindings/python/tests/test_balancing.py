@@ -322,7 +322,7 @@ def test_trial_weight_by_its_force(tmp_path):
 
 
 @pytest.mark.parametrize("unbalance, reason, share", ((1e-3, "least", 0.3), (1e-5, "most", 1.0)))
-def test_trial_weight_by_what_is_seen(tmp_path, unbalance, reason, share):
+def test_trial_weight_by_the_measured_change(tmp_path, unbalance, reason, share):
     found, before, after = propose(tmp_path, unbalance, 250.0)
     for one, seen in zip(found.proposals, after):
         assert one.reason == reason and one.change == pytest.approx(share)
@@ -448,7 +448,7 @@ GOOD = {
     [
         ({}, r"trials: is missing, and there is no model, mode or coefficient$"),
         ({"influence": "model"}, r"influence: is model, expected a model, too$"),
-        ({"modes": [{"speed": 300.0}]}, r"modes\[1\]\.shape: is missing, and there is no model that would tell it$"),
+        ({"modes": [{"speed": 300.0}]}, r"modes\[1\]\.shape: is missing, and there is no model that would give it$"),
         ({"modes": [{"speed": 300.0, "shape": [1]}]}, r"shape: is a list, expected a list of 2 numbers, one for every"),
         ({"modes": [{"speed": 300.0, "shape": [1, "x"]}]}, r"shape\[2\]: is x, expected a plain number$"),
         ({"modes": [{"speed": 300.0, "shape": [1, 1]}] * 2}, r"modes\[2\]: is a second mode at that speed"),

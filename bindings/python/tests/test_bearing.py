@@ -180,12 +180,12 @@ def test_turbulence_and_soft_pivots():
         ),
     ],
 )
-def test_what_is_asked_together(keys, wrong):
+def test_contradicting_keys_are_refused(keys, wrong):
     with pytest.raises(whirl.BadInput, match=wrong):
         whirl.bearing({**TWO_GROOVE, "load": 1000, **keys})
 
 
-def test_heavy_loads_warn_and_impossible_ones_are_told():
+def test_heavy_loads_warn_and_impossible_ones_are_refused():
     pad = {"pads": [{"pivot": "90 deg", "arc": "120 deg"}], "tilting": "no", "kind": None}
     found = whirl.bearing({**TWO_GROOVE, **pad, "load": [1000, 2000]})
     assert not found.found.any() and np.isnan(found.stiffness).all()
@@ -200,13 +200,13 @@ def test_warnings_are_in_the_units_asked_for():
     metric, own = whirl.bearing(file), whirl.bearing(file, units="US")
     np.testing.assert_array_equal(metric.film, own.film)
     (warning,) = [text for text in own.warnings if "thin, below" in text]
-    place, _, told = warning.partition(": ")
+    place, _, reported = warning.partition(": ")
     speed, force = re.fullmatch(r"at (\S+) rpm, (\S+) lbf", place).groups()
-    film, least = re.search(r"the film is (\S+) mil thin, below (\S+) mil", told).groups()
+    film, least = re.search(r"the film is (\S+) mil thin, below (\S+) mil", reported).groups()
     assert float(speed) == pytest.approx(own.speed[0] * 30 / np.pi, rel=1e-5)
     assert float(force) == pytest.approx(own.load[0] / 4.4482216, rel=1e-5)
     assert (float(film), float(least)) == pytest.approx((own.film[0] / 25.4e-6, 5 / 25.4), rel=5e-3)
-    assert told in own.document["points"][0]["warnings"]
+    assert reported in own.document["points"][0]["warnings"]
     assert whirl.bearing({**file, "units": "US"}).warnings == own.warnings
     with pytest.raises(whirl.BadInput, match="did you mean"):
         whirl.bearing(file, units="rpn")

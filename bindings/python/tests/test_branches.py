@@ -131,7 +131,7 @@ def test_hopf_points_of_the_brusselator():
     assert np.abs(table["trace/nodes"][:, :2] - np.stack([0 * table.values + 1.2, table.values / 1.2], 1)).max() < 1e-9
 
 
-def test_results_of_branches_are_kept_and_shown(tmp_path):
+def test_results_of_branches_are_saved_and_shown(tmp_path):
     def slopes(t, x, p):
         return [p.r + x[0] ** 2]
 

@@ -35,7 +35,7 @@ def test_a_case_that_was_built_is_the_case_of_the_file(good):
         assert np.array_equal(result["sweep"][field], good["sweep"][field], equal_nan=True), field
 
 
-def test_texts_are_kept_byte_for_byte():
+def test_texts_are_saved_byte_for_byte():
     case = whirl.Case(GOOD)
     assert case.text == GOOD.read_text() and case.copy().text == case.text
     assert case.title == "A small Jeffcott rotor with rub" and "Jeffcott" in repr(case)
@@ -51,7 +51,7 @@ def test_parameters_are_set():
     assert case.parameters["kappa"].value == 20.0
 
 
-def test_all_problems_are_told():
+def test_all_problems_are_reported():
     with pytest.raises(whirl.BadInput) as caught:
         whirl.Case(text=MAP.replace("4 kg", "-4 kg").replace("points: 5", "points: 0"), name="my.yaml")
     assert len(caught.value.problems) == 2
@@ -66,7 +66,7 @@ def test_broken_texts_are_refused(text):
         whirl.Case(text=text)
 
 
-def test_a_file_that_is_not_there():
+def test_missing_file():
     with pytest.raises(whirl.BadInput, match="cannot read the case 'nowhere.yaml': No such file"):
         whirl.Case("nowhere.yaml")
 
@@ -98,7 +98,7 @@ def test_numbers_of_numpy_and_pandas():
 
 
 @pytest.mark.parametrize("call", [lambda: whirl.Case("a\0b"), lambda: whirl.Case(text="\ud800: 1")])
-def test_texts_that_are_none(call):
+def test_wrong_texts(call):
     with pytest.raises(whirl.BadInput):
         call()
     with pytest.raises(TypeError, match="expected a str"):

@@ -75,7 +75,7 @@ def test_files_are_those_of_the_command(folder, tmp_path):
         assert (folder / name).read_bytes() == (tmp_path / name).read_bytes()
 
 
-def test_what_it_is(data):
+def test_description(data):
     assert len(data) == 54 and data.channels == ["proximity disc 1", "accelerometer disc 2"]
     assert data.units == ["V", "m/s2"] and data.labels == ["healthy", "rub", "loose"]
     assert data.samples == 100 and data.rate == 4.0 and data.samples_per_revolution == 0.0

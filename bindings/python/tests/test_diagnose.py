@@ -8,7 +8,7 @@ from conftest import ROOT
 pytest.importorskip("sklearn", reason="scikit-learn is missing (python3-sklearn): the example needs it")
 
 
-def test_what_it_claims(tmp_path, monkeypatch):
+def test_claims(tmp_path, monkeypatch):
     monkeypatch.setattr(sys, "path", [str(ROOT / "examples"), *sys.path])
     import diagnose
 

@@ -80,7 +80,7 @@ def drawn_points(artist):
     return 1 if hasattr(artist, "get_text") else len(artist.get_paths())
 
 
-def test_matplotlib_draws_what_the_data_say(results):
+def test_matplotlib_draws_the_data(results):
     kinds = set()
     for path in results:
         result = whirl.open(path)
@@ -133,7 +133,7 @@ def blocks_of(path):
     return [sum(bool(line) and line[0] != "#" and "NaN" not in line for line in block.splitlines()) for block in blocks]
 
 
-def test_gnuplot_is_given_what_the_data_say(results, tmp_path):
+def test_gnuplot_is_given_the_data(results, tmp_path):
     for path in results:
         result = whirl.open(path)
         command("report", path, "-o", tmp_path, "--gnuplot", "true", "-q", "--force")
@@ -155,8 +155,8 @@ def test_gnuplot_is_given_what_the_data_say(results, tmp_path):
 
 
 def test_the_command_and_python_have_one_description(results, tmp_path):
-    told = command("figure", results[0], "-o", "-").stdout
-    assert json.loads(told) == whirl.open(results[0]).figure_data() == whirl.read(results[0]).figure_data()
+    printed = command("figure", results[0], "-o", "-").stdout
+    assert json.loads(printed) == whirl.open(results[0]).figure_data() == whirl.read(results[0]).figure_data()
 
 
 def test_panels_units_and_axes_are_chosen(map_files, good):
@@ -365,7 +365,7 @@ def test_a_map_shows_what_most_starts_lead_to(starts_map):
     assert seen >= 3
 
 
-def test_what_is_carried_down_is_told_apart():
+def test_carried_directions_have_names():
     text = GOOD.read_text().replace("points: 5, start: state", "points: 5, start: carry, direction: both")
     result = whirl.run(whirl.Case(text=text), progress=False)
     table, panel = result["sweep"], result.figure_data("bifurcation-disc")["panels"][0]

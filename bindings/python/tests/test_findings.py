@@ -79,21 +79,21 @@ def test_statements_and_sheets_are_those_of_the_command(file):
     result = whirl.open(file)
     statements = result.statements()
     assert len(statements) == len(document.get("statements", []))
-    for own, told in zip(statements, document.get("statements", [])):
+    for own, reported in zip(statements, document.get("statements", [])):
         for name in ("table", "what", "verdict", "text"):
-            assert getattr(own, name) == told[name]
-        assert (own.station, own.clause) == (told.get("station", ""), told.get("clause", ""))
+            assert getattr(own, name) == reported[name]
+        assert (own.station, own.clause) == (reported.get("station", ""), reported.get("clause", ""))
         for name in ("at", "asked", "found", "judged"):
-            if name in told:
-                np.testing.assert_equal((getattr(own, name), own.values[name]), phrase(told[name]))
+            if name in reported:
+                np.testing.assert_equal((getattr(own, name), own.values[name]), phrase(reported[name]))
         assert own.found in str(own) and own.judged in str(own)
     sheets = result.sheets()
     assert len(sheets) == len(document.get("sheets", [])) and statements + list(sheets)
-    for (key, own), told in zip(sheets.items(), document.get("sheets", [])):
-        assert (own.table, own.name, own.title) == (told["table"], told["name"], told["title"])
+    for (key, own), reported in zip(sheets.items(), document.get("sheets", [])):
+        assert (own.table, own.name, own.title) == (reported["table"], reported["name"], reported["title"])
         assert own.si == result.sheet(f"{own.table}/{own.name}").si == result.sheet(key).si
-        assert len(own) == len(told["rows"]) and all(len(row) == len(own.columns) for row in told["rows"])
-        for row, shown, cells in zip(own.si, own.rows, told["rows"]):
+        assert len(own) == len(reported["rows"]) and all(len(row) == len(own.columns) for row in reported["rows"])
+        for row, shown, cells in zip(own.si, own.rows, reported["rows"]):
             for column, number, in_unit, cell in zip(own.columns, row, shown, cells):
                 assert number == (tuple(cell) if isinstance(cell, list) else cell)
                 if isinstance(cell, float):
@@ -143,9 +143,9 @@ def test_closed_form(modes):
     assert sheet["omega"] == pytest.approx(np.array(speeds) / RPM, rel=1e-9)
     assert sheet.columns[keys.index("omega")].title == "omega (rpm)"
     assert [record["what"] for record in sheet.records()] == ["critical speed"] * 2
-    (told,) = [own for own in modes.statements() if own.what.startswith("critical speeds")]
-    assert told.values["found"] == pytest.approx(speeds, rel=1e-9) and told.found == "1909.9 rpm, 3019.8 rpm"
-    assert told.table == "modes" and told.verdict == "none asked for" and not told.clause
+    (reported,) = [own for own in modes.statements() if own.what.startswith("critical speeds")]
+    assert reported.values["found"] == pytest.approx(speeds, rel=1e-9) and reported.found == "1909.9 rpm, 3019.8 rpm"
+    assert reported.table == "modes" and reported.verdict == "none asked for" and not reported.clause
 
 
 def without_limits(rows):
@@ -277,12 +277,15 @@ def test_the_summary_has_all_of_it(file):
     for own in result.statements():
         assert bare(own.text) in shown
     for key, sheet in result.sheets().items():
-        told = tables if sheet.name in LEFT_OUT else shown
-        assert sheet.title in told, key
+        reported = tables if sheet.name in LEFT_OUT else shown
+        assert sheet.title in reported, key
         for column, texts in zip(sheet.columns, zip(*sheet.texts)):
             # Of 24 rows or fewer the last one is shown, too, and so are the two ends of points.
             for text in (texts[0], texts[min(len(texts), 24) - 1] if len(texts) <= 24 else texts[0]):
-                assert bare(text) in told and (not any(texts) or bare(column.title) in told), (key, column.title)
+                assert bare(text) in reported and (not any(texts) or bare(column.title) in reported), (
+                    key,
+                    column.title,
+                )
 
 
 OF_ALL = """
@@ -364,14 +367,14 @@ def test_no_number_is_rounding_noise():
 def test_motions_without_spectra_have_those_of_the_machine():
     text = re.sub("analyze: .*", "analyze: [orbit]", (ROOT / "tests/cli/good.yaml").read_text())
     result = whirl.run(whirl.Case(text=text), progress=False)
-    told = [own.what for own in result.statements()]
-    assert told == ["weight", "motions", "nearest to a wall"]
+    reported = [own.what for own in result.statements()]
+    assert reported == ["weight", "motions", "nearest to a wall"]
     assert list(result.sheets()) == ["stations", "sizes", "watched-stations"]
     with pytest.raises(whirl.BadInput, match="there is no sheet 'peaks'"):
         result.sheet("peaks")
 
 
-def test_what_is_wrong_is_said(modes):
+def test_wrong_arguments_are_refused(modes):
     with pytest.raises(whirl.BadInput, match="there is no sheet 'lowst', did you mean lowest"):
         modes.sheet("lowst")
     with pytest.raises(whirl.BadInput, match="expected text, csv, latex, markdown or json"):

@@ -33,7 +33,7 @@ def bode():
     return {"speed [rad/s]": w, "disc x [m]": abs(response), "disc x lag [rad]": -np.angle(response)}
 
 
-def test_what_was_put_in_comes_out(tmp_path):
+def test_fitted_parameters_are_those_of_the_data(tmp_path):
     found = whirl.fit(SPRING, bode(), ["k", "c", "e"], tolerance=1e-10)
     assert found.end == "found" and len(found) == 3
     for name, value in TRUTH.items():
@@ -200,7 +200,7 @@ def test_noise_of_probes_and_profiles():
         whirl.fit(SPRING, data, ["k"], noise={"disc x": "1 um"})
 
 
-def test_a_table_that_is_gone_is_named_where_it_stands(tmp_path):
+def test_a_missing_table_is_named_with_its_place(tmp_path):
     text = whirl.Case(SPRING).text.split("study:")[0] + "study:\n  fit: {unknown: {k: }, data: gone.csv}\n"
     (tmp_path / "a.yaml").write_text(text)
     line = text.count("\n")
@@ -422,7 +422,7 @@ def chaotic_share(n, e, count=32, before=60, after=100, steps=96):
     return shares.mean(1), shares.std(1) / np.sqrt(count)
 
 
-def test_the_share_of_contact_of_chaos_tells_the_unbalance():
+def test_the_share_of_contact_of_chaos_determines_the_unbalance():
     n = np.array([3.3, 3.35, 3.4])
     share, error = chaotic_share(n, 0.9)
     assert np.all(error < 0.006)
@@ -448,17 +448,17 @@ def test_statistics_are_asked_for():
     for heading, words in (("disc x max [m]", "is a statistic, expected compare"), ("contact", "is a statistic")):
         with pytest.raises(whirl.BadInput, match=words):
             whirl.fit(case, {**columns, heading: [0.1, 0.1]}, ["k"], noise=1e-6)
-    for heading, words in (("disc x lag [deg]", "is a lag, which statistics have not"), ("contact", "has no noise")):
+    for heading, words in (("disc x lag [deg]", "is a lag, which statistics do not have"), ("contact", "has no noise")):
         with pytest.raises(whirl.BadInput, match=words):
             whirl.fit(case, {**columns, heading: [0.1, 0.1]}, ["k"], noise=1e-6, compare="statistics")
     with pytest.raises(whirl.BadInput, match="has no noise, expected the standard deviation of its statistics"):
         whirl.fit(case, {**columns, "disc x [m]": [0.1, 0.1]}, ["k"], compare="statistics")
-    with pytest.raises(whirl.BadInput, match="column of instants, which statistics have not"):
+    with pytest.raises(whirl.BadInput, match="column of instants, which statistics do not have"):
         data = {"angle [deg]": [0.0, 90.0], "disc x [m]": [0.1, 0.1]}
         whirl.fit(case, data, ["k"], noise=1e-6, compare="statistics")
 
 
-def test_a_machine_without_an_onset_is_said():
+def test_machines_without_an_onset_are_reported():
     data = {"onset": "30 rad/s", "noise": "1 rad/s"}
     found = whirl.fit(WHIRLING, data, ["k"])
     assert found.end == "no motion"

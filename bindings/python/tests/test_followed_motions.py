@@ -96,7 +96,7 @@ NO_EVENTS = (
 )
 
 
-def test_what_cannot_be_followed_is_said():
+def test_systems_that_cannot_be_followed_are_refused():
     system = System(fall, [1, 0], {"e": 0.5})
     with pytest.raises(whirl.BadInput, match="instant 1 of the motion is 0, expected instants that rise"):
         system.follow([1, 0])

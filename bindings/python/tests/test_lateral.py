@@ -88,7 +88,7 @@ def test_at_a_station():
         response(", antinodes_of: 64")
 
 
-def test_weight_does_not_depend_on_gravity_or_on_how_bearings_are_told():
+def test_weight_does_not_depend_on_gravity_or_on_the_form_of_bearings():
     """W is a mass. Two bearings of half the stiffness at one station count as one; an element that does not turn is
     not part of it."""
     own = placed(response(", antinodes_of: 1", k=60, mass=40))
@@ -130,9 +130,9 @@ def test_scaled_responses():
     limit = 25.4e-6
     axes = 2e-3 * table["unbalance/axes"][:, 2, 0] * min(6, limit / seen)
     assert all(("\n  " if own.table else "\n") + str(own) in str(result) for own in result.statements())
-    (told,) = [own for own in result.statements() if own.what == "scaled responses"]
-    assert told.values["found"] == pytest.approx((limit, seen, min(6, limit / seen)), rel=1e-9)
-    assert f"the largest that a probe sees where the machine runs {seen * 1e6:.4g} µm p-p" in told.found
+    (reported,) = [own for own in result.statements() if own.what == "scaled responses"]
+    assert reported.values["found"] == pytest.approx((limit, seen, min(6, limit / seen)), rel=1e-9)
+    assert f"the largest that a probe sees where the machine runs {seen * 1e6:.4g} µm p-p" in reported.found
     (clearance,) = result.sheet("clearances").records(si=True)
     assert (clearance["station"], clearance["verdict"]) == ("middle", "holds")
     assert clearance["axis"] == pytest.approx(axes.max(), rel=1e-9)
@@ -154,18 +154,18 @@ def test_clearances_up_to_the_trip_speed(tmp_path):
         shown = [COMMAND, "show", tmp_path / "r.h5"]
         summary = subprocess.run(shown, capture_output=True, text=True, check=True).stdout
         (clearance,) = result.sheet("clearances").records(si=True)
-        (told,) = [own for own in result.statements() if own.what == "scaled responses"]
-        return result["unbalance"], clearance, told, summary
+        (reported,) = [own for own in result.statements() if own.what == "scaled responses"]
+        return result["unbalance"], clearance, reported, summary
 
-    table, clearance, told, summary = scaled(2500)
-    _, _, factor, trip = told.values["found"]
+    table, clearance, reported, summary = scaled(2500)
+    _, _, factor, trip = reported.values["found"]
     upto = table["unbalance/speed"].ravel() < 3001 * RPM
     axes = 2e-3 * factor * table["unbalance/axes"][:, 2, 0]
     assert clearance["axis"] == pytest.approx(axes[upto].max(), rel=1e-9) and axes.argmax() >= upto.sum()
     assert clearance["speed"] <= 3000.001 * RPM and trip == pytest.approx(2500 * RPM)
-    assert "clearances count up to the trip speed, 2500 rpm" in summary and "2500 rpm" in told.found
-    _, clearance, told, summary = scaled(9500)
-    assert "do not reach the trip speed" in told.found and clearance["axis"] == pytest.approx(axes.max(), rel=1e-9)
+    assert "clearances count up to the trip speed, 2500 rpm" in summary and "2500 rpm" in reported.found
+    _, clearance, reported, summary = scaled(9500)
+    assert "do not reach the trip speed" in reported.found and clearance["axis"] == pytest.approx(axes.max(), rel=1e-9)
     assert "points do not reach the trip speed, 9500 rpm: compute more points" in summary
     with pytest.raises(whirl.Error, match="expected at least the highest running speed"):
         scaled(1500)
@@ -175,8 +175,8 @@ def test_responses_that_do_not_reach_over_the_running_speeds_are_not_scaled():
     own = "    - unbalance: {at: middle, moment: 0.3 kg.mm}"
     text = CASE.format(rule=", probes_at: left", unbalances=own, k=20, end=1.9, mass=20, trip=TRIP)
     beyond = whirl.run(whirl.Case(text=text.replace("from: 1000 rpm", "from: 5100 rpm")), progress=False)
-    (told,) = [own.found for own in beyond.statements() if own.what == "scaled responses"]
-    assert told.startswith("none: points do not reach over the running speeds")
+    (reported,) = [own.found for own in beyond.statements() if own.what == "scaled responses"]
+    assert reported.startswith("none: points do not reach over the running speeds")
 
 
 # A rigid disc, m 100 kg, K 1e7 N/m, C 4000 N s/m: its decrement is 0 at Q = C sqrt(K/m).
@@ -304,7 +304,7 @@ def test_margins_are_asked_where_probes_are():
             assert after == before | unjudged
 
 
-def test_peaks_without_a_probe_are_told(tmp_path):
+def test_peaks_without_a_probe_are_reported(tmp_path):
     """A disc peaks at a running speed, and a probe at a pedestal does not: the report names the station of the peak."""
     path = tmp_path / "case.yaml"
     path.write_text(

@@ -96,7 +96,7 @@ def test_films(parts):
     assert film["force"] == pytest.approx(4000 / 4.4482216) and film["diameter"] is None and film["viscosity"] is None
     assert squeeze["diameter"] == pytest.approx(180 / 25.4) and squeeze["clearance"] == pytest.approx(150 / 25.4)
     assert squeeze["housing"] == film["housing"] == "housing" and squeeze["kind"] == "squeeze, short, half"
-    weight, *unknown = [told.found for told in parts.statements() if told.table == ""]
+    weight, *unknown = [reported.found for reported in parts.statements() if reported.table == ""]
     assert weight == "9.80665 m/s2 across the shafts"
     assert len(unknown) == 2 and unknown[0].startswith("linear, table: ") and unknown[1].startswith("film: ")
 

@@ -119,7 +119,7 @@ def test_responses_to_unbalance():
         assert ends == pytest.approx(np.transpose([x[nodes], y[nodes]]), rel=1e-7)
 
 
-def test_what_a_probe_sees():
+def test_readings_of_a_probe():
     """test_unbalance, to 1e-4: 1 kg m at the left end, a probe there at 45 degrees, and the major axis."""
     study = "unbalance: {parameter: omega, values: [50 rad/s, 100 rad/s], probe: 45 degree}"
     found = run(study, **ANISOTROPIC, unbalances=((0, 1.0),))["unbalance"]

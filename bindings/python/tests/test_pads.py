@@ -210,9 +210,9 @@ study:
     film = "    - film: {at: slow, from: a, law: finite, clearance: 1 mm, viscosity: 0.1 Pa.s"
     film += ", radius: 3 cm, length: 3 cm"
     own, _ = modes(150, 2, shape, film + "}")
-    told, _ = modes(150, 2, shape, film + ", housing_ratio: 2}")
+    given, _ = modes(150, 2, shape, film + ", housing_ratio: 2}")
     other, _ = modes(150, 2, shape, film + ", housing_ratio: 0}")
-    assert np.array_equal(own, told) and not np.allclose(own, other, atol=1e-6)
+    assert np.array_equal(own, given) and not np.allclose(own, other, atol=1e-6)
     with pytest.raises(whirl.Error, match="has its pads on a shaft that turns"):
         modes(150, 2, shape, "    - pad_bearing" + film[10:].replace("law: finite", shape) + "}")
 
@@ -244,7 +244,7 @@ def test_without_inertia(keys):
     )
 
 
-def test_what_is_wrong():
+def test_wrong_options():
     for keys, wrong in (
         ("shape: elliptical, pivots: [90 deg]", "has both shape and pivots"),
         ("preload: 0.5", "has neither shape nor pivots"),

@@ -125,7 +125,7 @@ def test_axes_and_styles_are_taken(good):
         good.plot.bifurcation(ax=pair[0], sise=3)
 
 
-def test_nothing_that_was_there_is_cut_off(good):
+def test_existing_curves_are_not_cut_off(good):
     sections = good["sweep"]["poincare/section"][:, 0, :, :2]
     ax = good.plot.poincare(1)
     good.plot.poincare(3, ax=ax)
@@ -196,20 +196,24 @@ def test_a_value_means_the_same_point_everywhere(good, good_file):
     """The sweep goes from 1 to 4 rad/s in steps of 0.75. A value with a unit or in SI selects a point, up to a step
     beyond the ends."""
     sweep, opened = good["sweep"], whirl.open(good_file)
-    for told, expected in ((1, 0), (1.4, 1), ("13.4 rpm", 1), (0.26, 0), (4.74, 4), ("4.74 rad/s", 4), (2.5, 2)):
-        text = told if isinstance(told, str) else repr(float(told))
+    for given, expected in ((1, 0), (1.4, 1), ("13.4 rpm", 1), (0.26, 0), (4.74, 4), ("4.74 rad/s", 4), (2.5, 2)):
+        text = given if isinstance(given, str) else repr(float(given))
         document = command("figure", good_file, f"@{text}", "-o", "-").stdout
         assert json.loads(document) == good.figure_data(f"@#{expected}")
-        assert sweep.at(told) == opened["sweep"].at(told) == expected
-        assert drawn_in(good.plot.poincare(at=told)) == drawn_in(opened.plot.poincare(expected))
-    for told in (1e12, -5.0, 0.24, 4.76, "46 rpm", 3000.0):
+        assert sweep.at(given) == opened["sweep"].at(given) == expected
+        assert drawn_in(good.plot.poincare(at=given)) == drawn_in(opened.plot.poincare(expected))
+    for given in (1e12, -5.0, 0.24, 4.76, "46 rpm", 3000.0):
         with pytest.raises(whirl.BadInput, match="omega is .*expected 1 to 4 rad/s"):
-            sweep.at(told)
+            sweep.at(given)
         with pytest.raises(whirl.BadInput, match="omega is .*expected 1 to 4 rad/s"):
-            good.plot.poincare(at=told)
-    for told, words in (("8 kg", "expected a unit of rad/s"), ("2 Hz", "1 Hz = 60 rpm"), ("fast", "expected a number")):
+            good.plot.poincare(at=given)
+    for given, words in (
+        ("8 kg", "expected a unit of rad/s"),
+        ("2 Hz", "1 Hz = 60 rpm"),
+        ("fast", "expected a number"),
+    ):
         with pytest.raises(whirl.BadInput, match=words):
-            good.plot.poincare(told)
+            good.plot.poincare(given)
     for wrong, words in (({}, "one of both"), ({"point": 1, "at": 1}, "one of both"), ({"point": 1.0}, "at=1.0")):
         with pytest.raises(whirl.BadInput, match=words):
             good.plot.poincare(**wrong)
@@ -303,8 +307,8 @@ def test_a_basin_shows_its_attractors(basin):
 def test_shares_of_starts_are_drawn(starts):
     table = starts["sweep"]
     drawn = drawn_in(starts.plot.shares())
-    told = {(value, 100 * share) for value, share, n in zip(table.values, table.shares, table.attractors) if n > 0}
-    assert {(round(x, 9), round(y, 9)) for x, y in drawn} >= {(round(x, 9), round(y, 9)) for x, y in told}
+    reported = {(value, 100 * share) for value, share, n in zip(table.values, table.shares, table.attractors) if n > 0}
+    assert {(round(x, 9), round(y, 9)) for x, y in drawn} >= {(round(x, 9), round(y, 9)) for x, y in reported}
     with pytest.raises(whirl.BadInput, match="several starts"):
         whirl.Case(GOOD).outline().plot.shares()
 
@@ -351,7 +355,7 @@ def test_a_plane_of_a_map_is_drawn(map_files):
         result.plot.map(plane=2)
 
 
-def test_what_was_not_analysed_is_said(good):
+def test_missing_analyses_are_reported(good):
     wrongs = (
         (good.plot.map, "has no map"),
         (good.plot.branches, "study: {branch: ...}"),
@@ -416,7 +420,7 @@ def test_the_quick_start_of_the_readme_runs(tmp_path, monkeypatch):
     assert picture.shape[0] > 400 and (picture[..., :3].min(axis=2) < 0.9).sum() > 2000  # frame, texts, dots
 
 
-def test_orbits_stand_beside_each_other_with_one_scale(good):
+def test_orbits_side_by_side_have_one_scale(good):
     figure, pair = plt.subplots(1, 2, sharex=True, sharey=True)
     for point, ax in enumerate(pair):
         good.plot.poincare(point, ax=ax)

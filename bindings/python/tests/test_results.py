@@ -199,7 +199,7 @@ def test_files_that_lack_something_are_refused_in_a_sentence(good_file, tmp_path
         result.stations, result.parameters, table.values
 
 
-def test_names_that_are_not_there(good):
+def test_unknown_names(good):
     with pytest.raises(KeyError, match="did you mean 'orbit/max_radius'"):
         good["sweep"]["orbit/maxradius"]
     with pytest.raises(KeyError, match="expected one of: sweep"):
@@ -353,7 +353,7 @@ def test_orders_are_no_lengths(good):
     assert np.allclose(lines[..., 1:], plain[..., 1:] * good.length_scale, equal_nan=True)
 
 
-def test_numbers_that_are_kept_are_not_written_to(good, good_file):
+def test_stored_numbers_are_not_written_to(good, good_file):
     with whirl.open(good_file) as opened:
         for table in (good["sweep"], opened["sweep"]):
             for array in (table.values, table.length_scale, table.point, table.branch, table.verdicts, table.clock):
@@ -399,7 +399,7 @@ def test_errors_of_files_are_sentences(good_file, tmp_path):
         whirl.read(good_file).save("a\0b.h5")
 
 
-def test_laws_that_are_left_are_told():
+def test_laws_that_are_left_are_reported():
     case = whirl.Case(
         {
             "parameters": {"load": "10 m/s2"},
@@ -426,8 +426,10 @@ def test_laws_that_are_left_are_told():
     )
     result = whirl.run(case, progress=False)
     assert list(result["modes"][FIELD.RANGES_LEFT].ravel()) == [0, 1]
-    (told,) = result.beyond
-    assert told.startswith("modes: film at journal: eccentricity ratio up to 0.95") and "(1 of 2 points)" in told
+    (reported,) = result.beyond
+    assert (
+        reported.startswith("modes: film at journal: eccentricity ratio up to 0.95") and "(1 of 2 points)" in reported
+    )
 
 
 def test_contacts_that_hold_a_machine_at_rest():
@@ -452,7 +454,7 @@ def test_contacts_that_hold_a_machine_at_rest():
     assert result.held == ["modes: rub at disc with 100 N (1 of 2 points)"]
 
 
-def test_a_run_that_stopped_before_a_table_holds_nothing_there(tmp_path):
+def test_tables_after_a_stop_are_empty(tmp_path):
     (tmp_path / "case.yaml").write_text(
         "whirl: 1\nparameters: {load: 10 m/s2}\nrotor:\n  speed: 200 rad/s\n  length_scale: 0.1 mm\n  stations:\n"
         "    disc: {mass: 10 kg, damping: 600 N.s/m}\n  elements:\n"
@@ -486,23 +488,23 @@ def test_warnings_of_the_library_are_shown(tmp_path):
     case = whirl.Case(text=WARNED)
     with pytest.warns(UserWarning, match="film.length: is 4 times the diameter") as shown:
         result = whirl.run(case, progress=False)
-    (told,) = case.warnings
-    assert [str(one.message) for one in shown] == [told] == result.warnings and shown[0].filename == __file__
+    (reported,) = case.warnings
+    assert [str(one.message) for one in shown] == [reported] == result.warnings and shown[0].filename == __file__
     assert repr(result).endswith(", 1 warning>")
     lines = str(result).splitlines()
-    assert lines[1:4] == [f"warning: {told}", "response: 1 point", f"  motion: {result['response'].verdicts[0]}"]
+    assert lines[1:4] == [f"warning: {reported}", "response: 1 point", f"  motion: {result['response'].verdicts[0]}"]
     assert lines[4].startswith("  reason: ") and lines[-1] == "weight: none: the machine has no gravity"
     result.save(tmp_path / "a.h5")
     for again in (whirl.open(tmp_path / "a.h5"), whirl.read(tmp_path / "a.h5")):
-        assert again.warnings == [told] and repr(again).endswith(", 1 warning>")
+        assert again.warnings == [reported] and repr(again).endswith(", 1 warning>")
 
 
 def test_warnings_are_in_the_units_of_the_case():
     text = "rotor: {{speed: 300, length_scale: 1 mm, stations: {{a: {{mass: 1 kg}}}}, elements: [{}]}}"
     film = "{film: {at: a, clearance: 30 mm, viscosity: 0.1, radius: 12.7 m, length: 1 m}}"
     case = whirl.Case(text=f"whirl: 1\n{text.format(film)}\nstudy: {{modes: {{}}, units: US}}\n")
-    (told,) = [words for words in case.warnings if "bearings have up to" in words]
-    assert told.endswith("radius: is 500000 mil, and bearings have up to 393700 mil")
+    (reported,) = [words for words in case.warnings if "bearings have up to" in words]
+    assert reported.endswith("radius: is 500000 mil, and bearings have up to 393700 mil")
 
 
 def test_no_warning_where_there_is_none(good):
@@ -536,7 +538,7 @@ def test_copies_are_read_only(good, good_file):
     assert json.loads(json.dumps(good.facts)) == good.facts == pickle.loads(pickle.dumps(good.facts))
 
 
-def test_files_that_are_there_are_kept(good, good_file, tmp_path):
+def test_existing_files_are_not_replaced(good, good_file, tmp_path):
     mine, page = tmp_path / "mine.h5", tmp_path / "template.html"
     page.write_text("@WHIRL-RUNS@")
     for result in (good, whirl.open(good_file), whirl.read(good_file)):
@@ -555,7 +557,7 @@ def test_files_that_are_there_are_kept(good, good_file, tmp_path):
         good.save(tmp_path / name)
 
 
-def test_notebooks_find_the_explorer_beside_the_command(good, tmp_path, monkeypatch):
+def test_notebooks_find_the_explorer_next_to_the_command(good, tmp_path, monkeypatch):
     bin_folder, page = tmp_path / "bin", tmp_path / "share/whirl/explorer.html"
     bin_folder.mkdir(), page.parent.mkdir(parents=True)
     (bin_folder / "whirl").write_text("#!/bin/sh\n")

@@ -113,11 +113,11 @@ def kinds_of(case):
 
 
 def test_every_kind_of_element_has_its_mirror_image():
-    told = set(ANGLES) | set(SIGNS) | set(ALIKE)
+    reported = set(ANGLES) | set(SIGNS) | set(ALIKE)
     listed = subprocess.run([COMMAND, "describe"], capture_output=True, text=True, check=True).stdout
     part = listed[listed.index("\nelements:") :].split("\n\n")[0]
-    assert set(re.findall(r"^  (\w+)", part, re.M)) == told
-    assert set().union(*(kinds_of(short(path)) for path in CASES)) == told
+    assert set(re.findall(r"^  (\w+)", part, re.M)) == reported
+    assert set().union(*(kinds_of(short(path)) for path in CASES)) == reported
 
 
 @pytest.mark.parametrize("path", CASES, ids=lambda path: path.stem)

@@ -97,7 +97,7 @@ def test_a_long_record_is_its_formula(tmp_path):
         ("ground_x: unknown.csv", "unknown.csv:1:10: .*is no column: sideways"),
     ],
 )
-def test_what_is_refused(tmp_path, more, words):
+def test_refusals(tmp_path, more, words):
     (tmp_path / "short.csv").write_text("time [s],ground_y [m/s2]\n0,1\n1,1\n")
     (tmp_path / "words.csv").write_text("time [s],ground_x [m/s2]\n0,1\n1,much\n")
     (tmp_path / "unknown.csv").write_text("time [s],sideways [m/s2]\n0,1\n1,1\n")

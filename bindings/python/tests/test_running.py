@@ -35,11 +35,11 @@ def test_threads_are_a_number():
 
 
 def test_what_progress_raises_ends_the_run():
-    def tell(*about):
+    def report(*about):
         raise RuntimeError("enough")
 
     with pytest.raises(RuntimeError, match="enough"):
-        whirl.run(whirl.Case(GOOD), progress=tell)
+        whirl.run(whirl.Case(GOOD), progress=report)
 
 
 def stopped_run(tmp_path, *more):
@@ -47,12 +47,12 @@ def stopped_run(tmp_path, *more):
     program = f"""
 import os, signal, sys, warnings, whirl
 case = whirl.Case({str(GOOD)!r}).set("integrate.transient", 20000).set("sweep.points", 400)
-def tell(stage, done, *more):
+def report(stage, done, *more):
     if done > 20: os.kill(os.getpid(), signal.SIGINT)
-with warnings.catch_warnings(record=True) as said:
+with warnings.catch_warnings(record=True) as warned:
     warnings.simplefilter("always")
-    result = whirl.run(case, threads=2, progress=tell, {', '.join(more)})
-print(result.partial, len(result["sweep"].values), said[0].message if said else "")
+    result = whirl.run(case, threads=2, progress=report, {', '.join(more)})
+print(result.partial, len(result["sweep"].values), warned[0].message if warned else "")
 result.save("part.h5")
 """
     return subprocess.run([sys.executable, "-c", program], cwd=tmp_path, capture_output=True, text=True, timeout=120)
@@ -122,7 +122,7 @@ case.set("integrate.transient", 400000).set("integrate.steps_per_revolution", 81
 signal.signal(signal.SIGALRM, boom)
 signal.setitimer(signal.ITIMER_REAL, 0.5, 0.002)
 try:
-    whirl.run(case, threads=1, progress=lambda *told: None, journal=sys.argv[2])
+    whirl.run(case, threads=1, progress=lambda *about: None, journal=sys.argv[2])
 except TimeoutError:
     signal.signal(signal.SIGALRM, signal.SIG_IGN)
     del case
@@ -133,8 +133,8 @@ except TimeoutError:
 
 def test_a_signal_whose_handler_raises_ends_the_run(tmp_path):
     words = [sys.executable, "-c", ALARM, GOOD, tmp_path / "journal"]
-    told = subprocess.run(words, capture_output=True, text=True, timeout=60)
-    assert (told.returncode, told.stdout) == (0, "well\n"), told.stderr
+    ended = subprocess.run(words, capture_output=True, text=True, timeout=60)
+    assert (ended.returncode, ended.stdout) == (0, "well\n"), ended.stderr
 
 
 AGAIN = """
@@ -188,10 +188,10 @@ print(len(seen), *sorted({name for name, _ in seen}))
 def test_handlers_may_raise_anywhere(tmp_path):
     """The handler of a signal raises an exception, and raises again at each of the following instructions in turn."""
     words = [sys.executable, "-c", AGAIN, GOOD, tmp_path / "journal"]
-    told = subprocess.run(words, capture_output=True, text=True, timeout=120)
-    assert told.returncode == 0, told.stderr
-    count, *names = told.stdout.split()
-    assert int(count) > 50 and {"wait", "outlast", "compute"} <= set(names), told.stdout
+    ended = subprocess.run(words, capture_output=True, text=True, timeout=120)
+    assert ended.returncode == 0, ended.stderr
+    count, *names = ended.stdout.split()
+    assert int(count) > 50 and {"wait", "outlast", "compute"} <= set(names), ended.stdout
 
 
 def test_results_are_freed_at_once():
@@ -229,18 +229,18 @@ atexit.register(look)  # before that of whirl, so that it is called after it
 import whirl
 case = whirl.Case(sys.argv[1])
 case.set("integrate.transient", 5000000)
-told = threading.Event()
-work = lambda: whirl.run(case, threads=1, progress=lambda *about: told.set())
+ended = threading.Event()
+work = lambda: whirl.run(case, threads=1, progress=lambda *about: ended.set())
 threading.Thread(target=work, daemon=True).start()
-told.wait()
+ended.wait()
 """
 
 
 def test_python_exit():
     """A run in a daemon thread is stopped, and has ended, before Python exits."""
     for _ in range(3):
-        told = subprocess.run([sys.executable, "-c", LEAVING, GOOD], capture_output=True, text=True, timeout=60)
-        assert (told.returncode, told.stdout) == (0, "left with 0 runs\n"), told.stderr
+        ended = subprocess.run([sys.executable, "-c", LEAVING, GOOD], capture_output=True, text=True, timeout=60)
+        assert (ended.returncode, ended.stdout) == (0, "left with 0 runs\n"), ended.stderr
 
 
 SUBINTERPRETER = '''
@@ -268,7 +268,7 @@ def test_subinterpreters_are_refused_in_words():
     ), done.stderr
 
 
-def test_a_fork_beside_a_run_is_refused_in_words(tmp_path):
+def test_a_fork_during_a_run_is_refused_in_words(tmp_path):
     program = tmp_path / "forks.py"
     program.write_text(
         "import os, sys, threading, time, whirl\n"

@@ -133,7 +133,7 @@ def test_order_spectra_are_those_of_scipy():
     assert np.allclose(spectrum.lag, np.degrees(0.4), atol=1e-2)
 
 
-def test_a_full_spectrum_tells_the_circles_of_an_ellipse():
+def test_a_full_spectrum_has_the_circles_of_an_ellipse():
     time, turns, time_of = run_up()
     x, y = 0.5 * np.cos(2 * np.pi * turns), 0.2 * np.sin(2 * np.pi * turns)
     angles = np.radians([20, 130])
@@ -293,7 +293,7 @@ V = np.sin(6 * T)
         (lambda: signals.recurrence(np.where(T == 1, np.nan, V)), "sample 20 of channel 0 is nan"),
     ],
 )
-def test_what_means_nothing_is_said_in_a_sentence(make, words):
+def test_meaningless_arguments_are_refused_in_a_sentence(make, words):
     with pytest.raises(whirl.BadInput) as failure:
         make()
     assert words in str(failure.value) and "\n" not in str(failure.value)
@@ -310,7 +310,7 @@ def test_a_record_stays_as_it_was_made():
 
 
 @pytest.mark.parametrize("wrong", [np.arange(2000) * 1j, np.arange(2000).astype("datetime64[ns]")])
-def test_what_is_no_number_is_refused(wrong):
+def test_wrong_numbers_are_refused(wrong):
     with pytest.raises(whirl.BadInput, match="expected numbers"):
         signals.Record(100.0, wrong, pulses=[1.0, 2.0])
     with pytest.raises(whirl.BadInput, match="expected numbers"):

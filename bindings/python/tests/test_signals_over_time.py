@@ -328,7 +328,7 @@ V = np.sin(6 * T)
         ),
     ],
 )
-def test_what_means_nothing_is_said_in_a_sentence(make, words):
+def test_meaningless_arguments_are_refused_in_a_sentence(make, words):
     with pytest.raises(whirl.BadInput) as failure:
         make()
     assert words in str(failure.value) and "\n" not in str(failure.value)

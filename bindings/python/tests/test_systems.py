@@ -224,7 +224,7 @@ NO_SLOPES = (
 
 
 @pytest.mark.parametrize("rates, words", NO_SLOPES)
-def test_what_is_no_slopes_is_refused(rates, words):
+def test_wrong_slopes_are_refused(rates, words):
     with pytest.raises(whirl.BadInput, match=words):
         System(rates, [0.3, 0], PARAMETERS, speed="omega").response(**OPTIONS)
 
@@ -344,7 +344,7 @@ def test_what_a_function_raises_comes_through():
         System(lambda t, x, p: [0, 0, 0], [0.3, 0], PARAMETERS, speed="omega").response(**OPTIONS)
 
 
-def test_what_is_wrong_is_said():
+def test_wrong_arguments_are_refused():
     def make(**more):
         return System(oscillator, [0.3, 0], PARAMETERS, **more)
 
@@ -417,7 +417,7 @@ def test_the_documentation_is_true():
     assert np.abs(rate - np.sqrt(8 / 3 * (470 / 19 + 10))).max() < 1e-8
 
 
-def test_functions_may_keep_what_they_were_given():
+def test_functions_may_keep_their_arguments():
     kept = []
 
     def slopes(t, x, p):
@@ -457,7 +457,7 @@ def test_a_single_row_keeps_its_dimension(tmp_path):
 def stopped(system, journal):
     """Stops a run, which leaves a journal."""
 
-    def stop(*told):
+    def stop(*reported):
         raise KeyError("enough")
 
     with pytest.raises(KeyError, match="enough"):
@@ -613,7 +613,7 @@ def test_kinked_jump():
         assert np.abs(spring[0] - spring[1]).max() < 1e-6
 
 
-def test_motions_that_could_not_be_followed_are_said():
+def test_motions_that_could_not_be_followed_are_reported():
     """Slopes that change at every call make every step fail: the motion has an error."""
 
     def system(rough):

@@ -42,10 +42,10 @@ for (const { name, parameter, values } of POINTS) {
   // Neighbours in time differ by rounding alone: the command fuses multiply-adds, a browser does not.
   test(`${name}: 20 revolutions agree to 1e-9`, async () => {
     const text = withStudy(name, parameter, values, SHORT);
-    const told = run(text);
+    const reported = run(text);
     for (const [i, value] of values.entries()) {
       const result = await good(engine.point({ setting: { text }, parameter, value, batch: 'detail' }));
-      const difference = sectionDifference(result, fieldNumbers, told.detail[i]);
+      const difference = sectionDifference(result, fieldNumbers, reported.detail[i]);
       assert.ok(difference < 1e-9, `${parameter} = ${value}: sections differ by ${difference}`);
     }
   });
@@ -59,23 +59,23 @@ for (const { name, parameter, values } of POINTS) {
   ])
     test(`${name}: ${integrate.method} ${integrate.contacts ?? ''} has the bits of the command's kernels`, async () => {
       const text = withStudy(name, parameter, values, { integrate, record });
-      const told = run(text, 'simd128');
+      const reported = run(text, 'simd128');
       for (const [i, value] of values.entries()) {
         const result = await good(engine.point({ setting: { text }, parameter, value, batch: 'detail' }));
-        assert.equal(sectionDifference(result, fieldNumbers, told.detail[i]), 0, `${parameter} = ${value}`);
+        assert.equal(sectionDifference(result, fieldNumbers, reported.detail[i]), 0, `${parameter} = ${value}`);
         assert.equal(result.options.located, integrate.contacts === 'located');
       }
     });
 
   test(`${name}: verdicts agree, and what settled motions show`, async () => {
     const text = withStudy(name, parameter, values, LONG);
-    const told = run(text);
+    const reported = run(text);
     for (const [i, value] of values.entries()) {
       const result = await good(engine.point({ setting: { text }, parameter, value, batch: 'detail' }));
-      const theirs = told.detail[i];
+      const theirs = reported.detail[i];
       assert.equal(result.verdict.name, theirs.verdict, `${parameter} = ${value}: ${result.verdict.reason}`);
       assert.equal(result.verdict.confidence, theirs.confidence);
-      assert.equal(result.speed, parameter === 'omega' ? value : told.speed);
+      assert.equal(result.speed, parameter === 'omega' ? value : reported.speed);
       if (theirs.regime !== 'periodic') continue;
       assert.ok(sectionDifference(result, fieldNumbers, theirs) < 1e-7, `${parameter} = ${value}: sections differ`);
       result.stations.forEach((station, which) => {
@@ -94,7 +94,7 @@ for (const { name, parameter, values } of POINTS) {
 test('points of a sweep are those of the command', async () => {
   const values = [0.9, 0.75, 0.6, 0.4];
   const text = withStudy('paper', 'r_k', values, SHORT);
-  const told = run(text);
+  const reported = run(text);
   const all = Float64Array.from({ length: 40 }, (_, i) => values[i % 4]);
   const seen = new Map();
   let layout;
@@ -122,7 +122,7 @@ test('points of a sweep are those of the command', async () => {
       sectionDifference(
         { stations: [{ name: 'disc' }, { name: 'journal' }], layout, block },
         fieldNumbers,
-        told.detail[slot % 4],
+        reported.detail[slot % 4],
       ) < 1e-9,
     );
 });
@@ -147,14 +147,14 @@ study:
   response: {}
   integrate: {transient: 0, record: 20}
 `;
-    const told = run(text, 'simd128');
-    assert.equal(told.integrated.response.method, method);
+    const reported = run(text, 'simd128');
+    assert.equal(reported.integrated.response.method, method);
     const whole = await good(engine.point({ setting: { text }, parameter: '' }));
     const look = { transient: 0, record: 10, stepsPerRevolution: 64 };
     const looked = await good(engine.point({ setting: { text, look }, parameter: '' }));
     for (const { options } of [whole, looked])
       assert.deepEqual([options.method, options.method_chosen], [method, true]);
-    assert.ok(sectionDifference(whole, fieldNumbers, told.points[0]) < 1e-12);
+    assert.ok(sectionDifference(whole, fieldNumbers, reported.points[0]) < 1e-12);
   });
 
 // All that is watched of stations and contacts can be shown over the parameter.
@@ -196,14 +196,14 @@ test('a diagram has a quantity for every number of its stations and contacts', a
 test('a carried sweep follows the attractor there and back, as the command does', async () => {
   const values = [0.1, 0.15, 0.2, 0.25, 0.3];
   const text = withStudy('rigid-rotor', 'rho', values, { ...LONG, start: 'carry, direction: both' });
-  const told = run(text);
+  const reported = run(text);
   const verdicts = [];
   await good(
     engine.sweep(
       {
         setting: { text },
         parameter: 'rho',
-        values: Float64Array.from(told.points.slice(0, 5), (point) => point.parameters.rho),
+        values: Float64Array.from(reported.points.slice(0, 5), (point) => point.parameters.rho),
         carry: 'both',
       },
       { points: (points) => points.slots.forEach((slot, i) => (verdicts[slot] = points.verdicts[i].name)) },
@@ -211,7 +211,7 @@ test('a carried sweep follows the attractor there and back, as the command does'
   );
   assert.deepEqual(
     verdicts,
-    told.points.map((point) => point.verdict),
+    reported.points.map((point) => point.verdict),
   );
 });
 
@@ -230,21 +230,21 @@ test('the case layer says what the command says', async () => {
 });
 
 test('a case tells its parameters, stations and study', async () => {
-  const told = await good(engine.describe({ text: caseText('paper'), assignments: ['omega=6000 rpm'] }));
-  const omega = told.parameters.find((parameter) => parameter.name === 'omega');
+  const reported = await good(engine.describe({ text: caseText('paper'), assignments: ['omega=6000 rpm'] }));
+  const omega = reported.parameters.find((parameter) => parameter.name === 'omega');
   assert.equal(omega.written, '6000 rpm');
   assert.ok(Math.abs(omega.value - 200 * Math.PI) < 1e-10);
-  assert.ok(Math.abs(told.speed - 200 * Math.PI) < 1e-10);
+  assert.ok(Math.abs(reported.speed - 200 * Math.PI) < 1e-10);
   assert.equal(omega.comment, 'rotation speed');
   assert.equal(omega.uses.find((use) => use.alone).path, 'rotor.speed');
   const common = { shaft: 0, position: 0, along_y: false, twists: false, clockwise: false };
-  assert.deepEqual(told.stations, [
+  assert.deepEqual(reported.stations, [
     { ...common, name: 'disc', clearance: 0, gap: 1.2, x: 0, y: 1, vx: 4, vy: 5 },
     { ...common, name: 'journal', clearance: 1, gap: 0, x: 2, y: 3, vx: 6, vy: 7 },
   ]);
-  assert.deepEqual(told.contacts, ['rub at disc']);
-  assert.equal(told.batches[0].parameter, 'r_k');
-  assert.equal(told.batches[0].values.length, 512);
+  assert.deepEqual(reported.contacts, ['rub at disc']);
+  assert.equal(reported.batches[0].parameter, 'r_k');
+  assert.equal(reported.batches[0].values.length, 512);
 });
 
 test('a motion goes on from where it was, and flashes its contacts', async () => {
@@ -264,10 +264,10 @@ test('a setting becomes a case that means the same', async () => {
   const setting = { text: caseText('paper'), assignments: ['r_k=0.42', 'c=250 um'] };
   const text = await good(engine.rewrite(setting, [{ path: 'study.sweep.from', text: '0.5' }]));
   assert.match(text, /r_k: {5}0\.42 +# k1\/k2/);
-  const told = await good(engine.describe({ text }));
-  assert.equal(told.parameters.find((parameter) => parameter.name === 'r_k').value, 0.42);
-  assert.equal(told.parameters.find((parameter) => parameter.name === 'c').value, 250e-6);
-  assert.equal(told.batches[0].values[0], 0.5);
+  const reported = await good(engine.describe({ text }));
+  assert.equal(reported.parameters.find((parameter) => parameter.name === 'r_k').value, 0.42);
+  assert.equal(reported.parameters.find((parameter) => parameter.name === 'c').value, 250e-6);
+  assert.equal(reported.batches[0].values[0], 0.5);
   const wrong = await engine.rewrite(setting, [{ path: 'study.sweep.points', text: 'many' }]);
   assert.equal(wrong.why, 'bad');
 });
@@ -278,9 +278,9 @@ test('a later request makes an earlier one of its lane stale, at once', async ()
   const sweep = engine.sweep({ setting, parameter: 'r_k', values }, {}, { lane: 'diagram' });
   const point = engine.point({ setting, value: 0.5 }, { lane: 'point' });
   const began = performance.now();
-  const told = engine.describe(setting, { lane: 'point' });
+  const reported = engine.describe(setting, { lane: 'point' });
   assert.deepEqual(await point, { ok: false, why: 'stale' });
-  await good(told);
+  await good(reported);
   assert.ok(performance.now() - began < 5000);
   engine.cancel('diagram');
   assert.deepEqual(await sweep, { ok: false, why: 'stale' });

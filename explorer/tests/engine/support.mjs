@@ -64,11 +64,11 @@ export const LONG = {
 };
 
 /// The largest difference between the sections of a result of the engine and of the command, in length scales.
-export function sectionDifference(result, fieldNumbers, told) {
+export function sectionDifference(result, fieldNumbers, reported) {
   let worst = 0;
   result.stations.forEach((station, which) => {
     const mine = fieldNumbers(result.layout, result.block, 'poincare/section', which);
-    const theirs = told.poincare[station.name];
+    const theirs = reported.poincare[station.name];
     if (mine.length !== 4 * theirs.length)
       throw new Error(`${mine.length / 4} and ${theirs.length} points of a section`);
     theirs.forEach(([x, y], n) => {

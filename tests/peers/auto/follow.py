@@ -79,15 +79,15 @@ def without_clock(multipliers):
 
 
 def points(folder):
-    """(kind, r_k, state, multipliers) of every point that AUTO wrote. It writes a point after it has told of it more
+    """(kind, r_k, state, multipliers) of every point that AUTO wrote. It writes a point after it has printed it more
     than once, the last time with the multipliers that belong to it."""
-    told = [[float(word) for word in line.split()] for line in (folder / "points.txt").read_text().splitlines()]
+    printed = [[float(word) for word in line.split()] for line in (folder / "points.txt").read_text().splitlines()]
     for line in (folder / "fort.7").read_text().splitlines():
         words = line.split()
         if words[0] == "0" or abs(int(words[1])) == 1:  # the first one is where AUTO began: it does not correct it
             continue
         kind, r_k = int(words[2]), float(words[4])
-        row = [row for row in told if abs(row[0] - r_k) < 1e-10][-1]
+        row = [row for row in printed if abs(row[0] - r_k) < 1e-10][-1]
         pairs = row[2 + STATES:]
         multipliers = [complex(*pairs[2 * i:2 * i + 2]) for i in range(ALL)]
         yield KINDS.get(kind, str(kind)), row[0], row[2:2 + STATES], without_clock(multipliers)

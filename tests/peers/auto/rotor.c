@@ -80,7 +80,7 @@ static int pvls(integer ndim, const doublereal *u, doublereal *par) {
     if (!points) points = fopen("points.txt", "w");
     if (!points) exit(1);
     for (int i = 0; i < ndim; i++) start[i] = getp("BV0", i + 1, u);
-    // AUTO's orbits begin where they please: this one goes back to the instant at which the cosine is one.
+    // An orbit of AUTO may begin at any phase: move it to the instant at which the cosine is one.
     const double phase = atan2(start[9], start[8]);
     if (phase != 0.0) carry(par[0], -phase, 64, start);
     fprintf(points, "%.16g %.16g", par[0], par[10]);

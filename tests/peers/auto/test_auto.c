@@ -1,4 +1,4 @@
-// Case E3: the paper's rotor without its stator beside AUTO-07p: the same equations, the same orbits.
+// Case E3: the paper's rotor without its stator, compared with AUTO-07p: the same equations, the same orbits.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,5 +1,5 @@
-// Motions of an oscillator under a constant load, whose every number is known: rest, which steps of a tolerance never
-// quite come to, what looks like it, and growth.
+// Motions of an oscillator under a constant load, all in closed form: rest, with the small residual motion of adaptive
+// steps; motions that only look like rest; growth.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -96,7 +96,7 @@ static void rests_at_zero(void **state) {
 
 /// No equilibrium is reported for a vibration, however small; for a cycle about an unstable equilibrium; and for an
 /// equilibrium that attracts so slowly that the motion near it may be another one.
-static void what_is_no_rest(void **state) {
+static void motions_that_are_not_at_rest(void **state) {
     const oscillator forced = {.damping = 0.1, .load = 0.7, .force = 1e-7};
     const oscillator cycle = {.damping = -0.01, .load = 0.7, .cycle = 1e-7};
     const oscillator slow = {.damping = 1e-8, .load = 0.7};
@@ -111,7 +111,7 @@ static void what_is_no_rest(void **state) {
 }
 
 /// A motion that is not at rest at the second tolerance is P-1 at most.
-static void both_tolerances_must_rest(void **state) {
+static void rest_needs_both_tolerances(void **state) {
     const oscillator o = {.damping = 0.1, .load = 0.7};
     const double start[] = {0.0, 0.0};
     (void)state;
@@ -124,7 +124,8 @@ static void both_tolerances_must_rest(void **state) {
     assert_false(one.rests);
 }
 
-/// A linear machine that is unstable leaves its forced motion by e^(2 pi damping) a revolution, and says so.
+/// An unstable linear machine moves away from its forced motion by e^(2 pi damping) a revolution, and the verdict
+/// reports this growth.
 static void unstable_machines_grow(void **state) {
     const double dampings[] = {-1e-4, -5e-4, -1e-3}, start[] = {1.0, 0.0};
     (void)state;
@@ -148,8 +149,8 @@ static void unstable_machines_grow(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rests_by_all_methods),   cmocka_unit_test(rests_at_zero),
-        cmocka_unit_test(what_is_no_rest),        cmocka_unit_test(both_tolerances_must_rest),
+        cmocka_unit_test(rests_by_all_methods),         cmocka_unit_test(rests_at_zero),
+        cmocka_unit_test(motions_that_are_not_at_rest), cmocka_unit_test(rest_needs_both_tolerances),
         cmocka_unit_test(unstable_machines_grow),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

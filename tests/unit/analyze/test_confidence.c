@@ -1,4 +1,4 @@
-// Confidence: what a second tolerance changes, and what advice does to the options of a run.
+// Confidence: the effect of a second tolerance, and the effect of advice on the options of a run.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -104,7 +104,7 @@ static void tighter(void **state) {
     assert_int_equal(adaptive.steps_per_revolution, 90);
     assert_true(adaptive.rtol == options.rtol / 16.0 && adaptive.atol == options.atol / 16.0);
     assert_true(whirl_integrate_tighter(&options, 1e9).rtol == 1e-14);
-    options.rtol = 1e-15; // whoever asks for that gets it
+    options.rtol = 1e-15; // requested, so no longer refused
     assert_true(whirl_integrate_tighter(&options, 16.0).rtol == 1e-15);
 }
 
@@ -114,7 +114,7 @@ static void advice_is_followed(void **state) {
     whirl_record_options record = whirl_record_default(); // 1100 + 100, 650 watched
     whirl_integrate_options integrate = given;
     whirl_advice_apply((whirl_advice){WHIRL_NO_REMEDY, 1.0}, &integrate, &record);
-    whirl_advice_apply((whirl_advice){WHIRL_OTHER_START, 1.0}, &integrate, &record); // no option does
+    whirl_advice_apply((whirl_advice){WHIRL_OTHER_START, 1.0}, &integrate, &record); // no option gives more revolutions
     assert_memory_equal(&integrate, &given, sizeof given);
     assert_int_equal(record.transient, 1100);
     assert_int_equal(record.watch, 0);
@@ -143,7 +143,7 @@ static void advice_is_followed(void **state) {
     assert_true(record.transient >= 2000000000 && record.watch <= record.transient + record.record);
 }
 
-static void in_words(void **state) {
+static void advice_in_words(void **state) {
     (void)state;
     char text[128];
     whirl_verdict verdict = verdict_of(WHIRL_PERIODIC, 2, WHIRL_HIGH);
@@ -260,9 +260,9 @@ static void at_rest(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(two_tolerances),     cmocka_unit_test(followed), cmocka_unit_test(tighter),
-        cmocka_unit_test(advice_is_followed), cmocka_unit_test(in_words), cmocka_unit_test(on_an_orbit),
-        cmocka_unit_test(by_returns),         cmocka_unit_test(in_chaos), cmocka_unit_test(at_rest),
+        cmocka_unit_test(two_tolerances),     cmocka_unit_test(followed),        cmocka_unit_test(tighter),
+        cmocka_unit_test(advice_is_followed), cmocka_unit_test(advice_in_words), cmocka_unit_test(on_an_orbit),
+        cmocka_unit_test(by_returns),         cmocka_unit_test(in_chaos),        cmocka_unit_test(at_rest),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,4 @@
-// Evidence beside the exponent, on sections whose answers are known: the 0-1 test, correlation, rotation numbers,
+// Evidence other than the exponent, on sections whose answers are known: the 0-1 test, correlation, rotation numbers,
 // multipliers.
 #include <complex.h>
 #include <math.h>
@@ -119,7 +119,7 @@ static void memory(void **state) {
     points = section_of(record);
     c = correlation_find(&points, 1e-12);
     assert_true(c.late > 0.98 && isnan(c.time));
-    assert_true(isnan(correlation_find(&points, 10.0).late)); // as if all that moved were rounding
+    assert_true(isnan(correlation_find(&points, 10.0).late)); // a motion no larger than rounding errors
     free(record);
 }
 
@@ -143,7 +143,7 @@ static void memory_has_a_length(void **state) {
 static void rotation_numbers(void **state) {
     (void)state;
     const struct {
-        double turn, told;
+        double turn, expected;
         size_t watch;
         double tolerance;
     } rows[] = {{golden, golden, 650, 1e-10},
@@ -156,7 +156,7 @@ static void rotation_numbers(void **state) {
         for (int curves = 1; curves <= 3; curves++) {
             whirl_record *record = record_rotation(rows[i].turn, curves, (size_t)curves * rows[i].watch);
             const section points = section_of(record);
-            assert_near(rotation_number(&points, curves), rows[i].told, rows[i].tolerance);
+            assert_near(rotation_number(&points, curves), rows[i].expected, rows[i].tolerance);
             free(record);
         }
 }

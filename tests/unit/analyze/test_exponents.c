@@ -106,7 +106,7 @@ static void known_exponents(void **state) {
 
 /// The first tenth of the growth, in which the perturbation turns, does not count. Without a perturbation the exponent
 /// is NaN.
-static void what_counts(void **state) {
+static void first_tenth_does_not_count(void **state) {
     (void)state;
     double growth[100];
     for (size_t i = 0; i < 100; i++) growth[i] = i < 10 ? 5.0 : 0.25;
@@ -120,7 +120,7 @@ static void what_counts(void **state) {
     assert_true(isnan(whirl_lyapunov_largest(&record).value));
 }
 
-/// All exponents are the means of their columns, in place, beside the mean of the volume.
+/// All exponents are the means of their columns; the mean growth of the volume is their sum.
 static void all_exponents(void **state) {
     (void)state;
     enum { N = 3, COUNT = 50 };
@@ -207,7 +207,7 @@ static void sums_that_miss(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(correlated_noise), cmocka_unit_test(regular_sequences),
-        cmocka_unit_test(known_exponents),  cmocka_unit_test(what_counts),
+        cmocka_unit_test(known_exponents),  cmocka_unit_test(first_tenth_does_not_count),
         cmocka_unit_test(all_exponents),    cmocka_unit_test(dimension_of_an_attractor),
         cmocka_unit_test(sums_that_miss),
     };

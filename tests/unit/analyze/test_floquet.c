@@ -1,5 +1,5 @@
 // Orbits of settled motions: multipliers against closed forms, and motions that seem to be near a stable orbit and are
-// not: past a fold, beside a saddle, outside an unstable torus.
+// not: past a fold, near a saddle, outside an unstable torus.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -62,21 +62,21 @@ static void duffing_near(const void *model, double t, const double *forcing, con
     }
 }
 
-/// x0' = -0.5 x0 + cos t, which gives the motion a size, beside x1' = f(x1) that knows nothing of it.
-typedef struct beside {
+/// Two uncoupled equations: x0' = -0.5 x0 + cos t, which gives the motion a size, and x1' = f(x1).
+typedef struct forced_pair {
     double (*f)(double), (*slope)(double);
-} beside;
+} forced_pair;
 
-static void go_beside(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
-    const beside *b = model;
+static void pair_rhs(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
+    const forced_pair *b = model;
     (void)forcing;
     dxdt[0] = -0.5 * x[0] + cos(t);
     dxdt[1] = b->f(x[1]);
 }
 
-static void near_beside(const void *model, double t, const double *forcing, const double *x, const double *sides,
-                        size_t count, const double *dx, double *ddxdt) {
-    const beside *b = model;
+static void pair_tangent(const void *model, double t, const double *forcing, const double *x, const double *sides,
+                         size_t count, const double *dx, double *ddxdt) {
+    const forced_pair *b = model;
     (void)t, (void)forcing, (void)sides;
     for (size_t k = 0; k < count; k++) {
         ddxdt[2 * k] = -0.5 * dx[2 * k];
@@ -93,10 +93,10 @@ static double past_fold_slope(double x) {
 }
 
 /// Returns x': a saddle at 0 that motions leave slowly, and an equilibrium at 1.
-static double beside_saddle(double x) {
+static double slow_saddle(double x) {
     return 0.01 * x * (1 - x * x);
 }
-static double beside_saddle_slope(double x) {
+static double slow_saddle_slope(double x) {
     return 0.01 * (1 - 3 * x * x);
 }
 
@@ -169,10 +169,10 @@ static whirl_system duffing_system(const double *force) {
     return system;
 }
 
-static whirl_system beside_system(const beside *law) {
+static whirl_system pair_system(const forced_pair *law) {
     whirl_system system = plane_system(law);
-    system.rhs = go_beside;
-    system.tangent = near_beside;
+    system.rhs = pair_rhs;
+    system.tangent = pair_tangent;
     return system;
 }
 
@@ -223,7 +223,7 @@ static void multipliers_of_a_linear_oscillator(void **state) {
 
 /// From periodic motions through doublings to chaos and back: the verdicts of motions that end early are those of
 /// motions that run all their way; the product of the multipliers of P-k is e^(-2 pi k damping/rate).
-static void early_ends_keep_verdicts(void **state) {
+static void early_ends_change_no_verdict(void **state) {
     enum { POINTS = 40 };
     const double start[2] = {1, 0};
     size_t ended = 0, doubled = 0;
@@ -251,18 +251,18 @@ static void early_ends_keep_verdicts(void **state) {
     assert_true(ended > POINTS / 3 && doubled > 2);
 }
 
-/// A motion that a bottleneck or a saddle holds up does not end early; it comes to rest at 1.
-static void held_up_motions_run_on(void **state) {
+/// A motion that a bottleneck or a saddle slows down does not end early; it comes to rest at 1.
+static void slow_passages_do_not_end_early(void **state) {
     static const struct {
-        beside law;
+        forced_pair law;
         double start;
     } traps[] = {{{past_fold, past_fold_slope}, -0.5},
                  {{past_fold, past_fold_slope}, -0.02},
-                 {{beside_saddle, beside_saddle_slope}, 1e-3},
-                 {{beside_saddle, beside_saddle_slope}, 1e-5}};
+                 {{slow_saddle, slow_saddle_slope}, 1e-3},
+                 {{slow_saddle, slow_saddle_slope}, 1e-5}};
     (void)state;
     for (size_t i = 0; i < sizeof traps / sizeof *traps; i++) {
-        const whirl_system system = beside_system(&traps[i].law);
+        const whirl_system system = pair_system(&traps[i].law);
         const double start[2] = {0.4, traps[i].start};
         whirl_record *r = record(&system, "rk4", true, true, 1100, start);
         assert_true(fabs(r->end[1] - 1) < 1e-6);
@@ -274,8 +274,8 @@ static void held_up_motions_run_on(void **state) {
 
 /// A motion that stays exactly on a saddle returns; its orbit is reported as unstable.
 static void a_saddle_is_no_verdict_to_trust(void **state) {
-    const beside law = {beside_saddle, beside_saddle_slope};
-    const whirl_system system = beside_system(&law);
+    const forced_pair law = {slow_saddle, slow_saddle_slope};
+    const whirl_system system = pair_system(&law);
     const double start[2] = {0.4, 0};
     (void)state;
     whirl_record *r = record(&system, "rk4", true, true, 1100, start);
@@ -310,10 +310,8 @@ static void an_unstable_torus_is_no_basin(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(multipliers_of_a_linear_oscillator),
-        cmocka_unit_test(early_ends_keep_verdicts),
-        cmocka_unit_test(held_up_motions_run_on),
-        cmocka_unit_test(a_saddle_is_no_verdict_to_trust),
+        cmocka_unit_test(multipliers_of_a_linear_oscillator), cmocka_unit_test(early_ends_change_no_verdict),
+        cmocka_unit_test(slow_passages_do_not_end_early),     cmocka_unit_test(a_saddle_is_no_verdict_to_trust),
         cmocka_unit_test(an_unstable_torus_is_no_basin),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -38,14 +38,14 @@ static whirl_record_options options_for_test(void) {
 }
 
 /// Returns true if a text has one of some words.
-static bool says(const char *text, const char *const *words) {
+static bool has_one_of(const char *text, const char *const *words) {
     while (*words && !strstr(text, *words)) words++;
     return *words != NULL;
 }
 
 /// The meaning of every length and force names its convention (0-p, from the centre, ...). Amplitudes of sinusoids have
 /// the convention that a reader may change (p-p, rms).
-static void meanings_tell_how_lengths_are_counted(void **state) {
+static void meanings_name_the_convention_of_lengths(void **state) {
     (void)state;
     static const char *const lengths[] = {"0-p",           "from the centre",          "radial", "upwards",
                                           "bearings here", "to another place of rest", NULL};
@@ -55,10 +55,10 @@ static void meanings_tell_how_lengths_are_counted(void **state) {
     assert_int_equal(whirl_layout_known(&layout).code, WHIRL_OK);
     for (const whirl_field *field = layout.fields; field < layout.fields + layout.field_count; field++) {
         const bool length = strcmp(field->unit, "length") == 0;
-        if (length && !says(field->meaning, lengths)) fail_msg("%s says: %s", field->name, field->meaning);
-        if (strcmp(field->unit, "force") == 0) assert_true(says(field->meaning, forces));
-        if (strstr(field->name, "shape")) assert_true(says(field->meaning, relative));
-        assert_int_equal(length && says(field->name, sinusoids), whirl_field_counting(field) == WHIRL_AMPLITUDE);
+        if (length && !has_one_of(field->meaning, lengths)) fail_msg("%s says: %s", field->name, field->meaning);
+        if (strcmp(field->unit, "force") == 0) assert_true(has_one_of(field->meaning, forces));
+        if (strstr(field->name, "shape")) assert_true(has_one_of(field->meaning, relative));
+        assert_int_equal(length && has_one_of(field->name, sinusoids), whirl_field_counting(field) == WHIRL_AMPLITUDE);
         // Only static loads, torques and stiffnesses are in SI.
         const bool at_rest = strncmp(field->name, "statics/", 8) == 0 || strstr(field->name, "torque");
         if (*field->unit == 'N') assert_true(at_rest || strstr(field->unit, "N/m"));
@@ -306,7 +306,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(fields_tile_the_block), cmocka_unit_test(numbers_are_in_place),
         cmocka_unit_test(verdicts_come_back),    cmocka_unit_test(divergence),
-        cmocka_unit_test(options_decide),        cmocka_unit_test(meanings_tell_how_lengths_are_counted),
+        cmocka_unit_test(options_decide),        cmocka_unit_test(meanings_name_the_convention_of_lengths),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
-// The main line beside whole orders of motions whose lines are known: two frequencies, a third one beside them, lines
-// that die out, grow and wander; and that verdicts go by it where sections are too short to show their curve.
+// Lines of motions whose lines are known: two frequencies, a third one, lines that die out, grow and wander; and
+// verdicts that use lines where sections are too short to show their curve.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

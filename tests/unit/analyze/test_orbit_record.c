@@ -118,7 +118,7 @@ static void expect_closed_form(const saddle *s, const whirl_record *r, double to
 }
 
 // After 8 revolutions from one start alone rounding would have grown by exp(16 pi k), 4e43.
-static void driven_orbits_are_not_left(void **state) {
+static void saddle_orbits_are_not_left(void **state) {
     (void)state;
     const saddle s = {.k = 2.0, .w = 1.0, .driven = true};
     for (size_t segments = 1; segments <= 4; segments++) { // 3 do not divide the instants
@@ -178,7 +178,7 @@ static void equilibria_stay(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(driven_orbits_are_not_left),
+        cmocka_unit_test(saddle_orbits_are_not_left),
         cmocka_unit_test(orbits_of_several_revolutions_come_in_turn),
         cmocka_unit_test(orbits_with_a_time_of_their_own_go_on),
         cmocka_unit_test(equilibria_stay),

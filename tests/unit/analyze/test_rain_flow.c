@@ -57,7 +57,7 @@ static void sequences(void **state) {
 
 /// Samples between peaks and equal ones change nothing; a mirrored history has the same ranges and mirrored means; a
 /// larger one larger ranges.
-static void what_does_not_matter(void **state) {
+static void invariances_of_the_count(void **state) {
     (void)state;
     double fine[8 * 9], mirrored[9], first[7][3];
     assert_ok(whirl_signals_rain_flow(standard, 9, *cycles, &rows));
@@ -129,7 +129,7 @@ static void refusals(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sequences),
-        cmocka_unit_test(what_does_not_matter),
+        cmocka_unit_test(invariances_of_the_count),
         cmocka_unit_test(damage_of_a_sine),
         cmocka_unit_test(refusals),
     };

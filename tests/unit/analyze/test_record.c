@@ -218,7 +218,7 @@ static void forced_slopes(const void *model, double t, const double *forcing, co
 }
 
 /// The exponent is that of the motion at every phase of the section, also if the state is near zero there.
-static void test_growth_beside_a_state_near_zero(void **state) {
+static void test_growth_with_a_state_near_zero(void **state) {
     static const char *const methods[] = {"rk4", "dop853", "rodas5p"};
     static const double phases[] = {0.0, 0.3, 1.5707963267948966, 3.141592653589793}, scales[] = {1e-3, 1.0, 1e3},
                         constants[] = {0.0, 1.0};
@@ -254,7 +254,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_ellipse),
         cmocka_unit_test(test_growth_is_the_largest_exponent),
-        cmocka_unit_test(test_growth_beside_a_state_near_zero),
+        cmocka_unit_test(test_growth_with_a_state_near_zero),
         cmocka_unit_test(test_divergence_has_its_revolution),
         cmocka_unit_test(test_samples_divide_the_steps),
         cmocka_unit_test(test_a_settled_transient_ends_early),

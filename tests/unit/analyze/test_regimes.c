@@ -147,9 +147,9 @@ static void off_centre(const double *z, double *section) {
     section[2] = 0.5 * z[0] + 0.2 * z[1] * z[1];
 }
 
-/// A spiral that still turns in or out, near a resonance or not, is never taken for a torus, chaos, or a higher period
-/// however slowly it moves: it is undetermined until it has come to rest or the map of its section tells that it will,
-/// which is P-1, at most with fair confidence as long as it has far to go.
+/// A spiral that still turns in or out, near a resonance or not, is never judged a torus, chaos, or a higher period,
+/// however slowly it moves. It is undetermined until it is at rest, or until the fitted map of its section shows that
+/// it will come to rest. Then it is P-1, with fair confidence at most while it is far from rest.
 static void spirals(void **state) {
     (void)state;
     const double moduli[] = {0.9, 0.99, 0.999, 0.9999, 0.99999, 1.0005, 1.002, 1.005, 1.01};
@@ -202,7 +202,7 @@ static void starts_on_unstable(void **state) {
         assert_string_equal(text, "start near this motion (initial)");
         free(record);
     }
-    rest.start[0] = 1e-9; // beside it, and on its way
+    rest.start[0] = 1e-9; // near it, and moving towards it
     whirl_record *record = record_map(&rest, 100, 650, 100);
     assert_int_not_equal(whirl_judge(record).advice.remedy, WHIRL_OTHER_START);
     free(record);
@@ -214,7 +214,7 @@ static void starts_on_unstable(void **state) {
 }
 
 /// Without a perturbation only returns to rounding errors count.
-static void blind(void **state) {
+static void without_perturbation(void **state) {
     (void)state;
     const map_system systems[] = {logistic(3.5), logistic(3.8)};
     const whirl_regime expected[] = {WHIRL_PERIODIC, WHIRL_UNDETERMINED};
@@ -292,7 +292,7 @@ int main(void) {
         cmocka_unit_test(quasi_periodic),
         cmocka_unit_test(several_curves),
         cmocka_unit_test(spirals),
-        cmocka_unit_test(blind),
+        cmocka_unit_test(without_perturbation),
         cmocka_unit_test(diverged),
         cmocka_unit_test(diverged_at_once_or_apart),
         cmocka_unit_test(too_short),

@@ -146,9 +146,9 @@ static void samples_at_pulses_stay(void **state) {
     }
 }
 
-/// While the shaft runs up, angles between the pulses are told by the cubic. Its slopes miss t'''/6, at the ends
-/// t'''/3, so that the part s of the first turn comes s (1 - s) ((1 - s)/3 + s/6) t''' too late: at most 0.064 t''' =
-/// 0.2 growth^2/speed^5 s, 2e-5 turns here.
+/// While the shaft runs up, angles between the pulses are interpolated by the cubic. Its slopes miss t'''/6, at the
+/// ends t'''/3, so that the part s of the first turn comes s (1 - s) ((1 - s)/3 + s/6) t''' too late: at most 0.064
+/// t''' = 0.2 growth^2/speed^5 s, 2e-5 turns here.
 static void phases_of_a_run_up(void **state) {
     (void)state;
     const run_up run = {20.0, 4.0};
@@ -286,7 +286,7 @@ static double logistic_k(double r, size_t count) {
 }
 
 /// The logistic map as Gottwald and Melbourne (2009) have it: r = 3.55 has period 8, r = 3.97 is chaotic.
-static void chaos_is_told(void **state) {
+static void zero_one_test_of_the_logistic_map(void **state) {
     (void)state;
     const double regular = logistic_k(3.55, 2000), chaotic = logistic_k(3.97, 2000);
     print_message("K of the logistic map: %.4f at r = 3.55, %.4f at r = 3.97\n", regular, chaotic);
@@ -399,7 +399,7 @@ static void gaps_are_refused(void **state) {
     fill_few();
 }
 
-static void pulses_that_are_none_are_refused(void **state) {
+static void wrong_pulses_are_refused(void **state) {
     (void)state;
     const double unsorted[] = {1.0, 3.0, 2.0}, early[] = {-1.0, 2.0}, late[] = {1.0, 20.0}, broken[] = {1.0, NAN};
     double speed[4], a, b, flat[FEW] = {0};
@@ -558,11 +558,11 @@ int main(void) {
         cmocka_unit_test(angles_stay_monotone),
         cmocka_unit_test(orders_of_a_run_up),
         cmocka_unit_test(ellipse),
-        cmocka_unit_test(chaos_is_told),
+        cmocka_unit_test(zero_one_test_of_the_logistic_map),
         cmocka_unit_test(recurrence_of_periods),
         cmocka_unit_test(a_period_in_noise),
         cmocka_unit_test(gaps_are_refused),
-        cmocka_unit_test(pulses_that_are_none_are_refused),
+        cmocka_unit_test(wrong_pulses_are_refused),
         cmocka_unit_test(sizes_that_mean_nothing_are_refused),
         cmocka_unit_test(strange_signals_are_answered),
         cmocka_unit_test(any_arrays_have_an_answer),

@@ -89,7 +89,7 @@ static void ellipse(void **state) {
     whirl_spectrum_free(spectrum);
 }
 
-/// The synchronous part of tones whose amplitudes and phases are known, beside others on and off the bins. x = a
+/// The synchronous part of tones whose amplitudes and phases are known, with others on and off the bins. x = a
 /// cos(tau + p) lags by -p; a circle at the angle tau + p is forward and lags by -p, one at -tau + p backward and
 /// passes x at p.
 static void synchronous_part(void **state) {
@@ -111,7 +111,7 @@ static void synchronous_part(void **state) {
     whirl_spectrum_free(spectrum);
     spectrum = spectrum_of(tones, 1);
     assert_near(spectrum->synchronous.amplitude[2], 0.5, 1e-13);
-    assert_true(isnan(spectrum->synchronous.lag[3])); // of what rounding leaves there is no phase
+    assert_true(isnan(spectrum->synchronous.lag[3])); // a rounding error has no phase
     whirl_spectrum_free(spectrum);
     spectrum = spectrum_of(tones, 0);
     assert_true(spectrum->synchronous.amplitude[0] == 0.0);
@@ -119,7 +119,7 @@ static void synchronous_part(void **state) {
     whirl_spectrum_free(spectrum);
 }
 
-/// Lines between bins whose leakage overlaps come out as if they were alone, small ones beside large ones too.
+/// Lines between bins whose leakage overlaps have the values that each has alone, small ones next to large ones, too.
 static void several_tones(void **state) {
     (void)state;
     const tone tones[] = {{0.41237, 0.070, 0.3, 0.050, 1.0},
@@ -220,7 +220,7 @@ static void lines_hold_the_motion(void **state) {
     assert_int_equal(spectrum->line_count, 1);
     assert_near(spectrum->line_share, 1.0 / (1.0 + 0.05 * 0.05), 1e-6);
     whirl_spectrum_free(spectrum);
-    // Of thirty lines alike sixteen are kept.
+    // Of thirty equal lines sixteen are reported.
     tone many[30];
     for (int i = 0; i < 30; i++) many[i] = (tone){0.5 + (double)i, 1.0, 0.7 * i * i, 1.0, 1.3 * i * i};
     spectrum = spectrum_of(many, 30);

@@ -123,13 +123,14 @@ static void long_periods(void **state) {
     for (int i = 0; i < 3; i++) {
         whirl_record *record = record_map(&unseen, 50000, watched[i], 100);
         const whirl_verdict verdict = whirl_judge(record);
-        char reason[400], told[64];
+        char reason[400], reported[64];
         free(record);
         assert_int_equal(verdict.longest_period, looked_for[i]);
         assert_int_equal(verdict.regime, i == 2 ? WHIRL_PERIODIC : WHIRL_UNDETERMINED);
         whirl_verdict_reason(&verdict, reason, sizeof reason);
-        snprintf(told, sizeof told, "does not return within %d revolutions (longer periods need", looked_for[i]);
-        if (i < 2 && !strstr(reason, told)) fail_msg("%s: no '%s'", reason, told);
+        snprintf(reported, sizeof reported, "does not return within %d revolutions (longer periods need",
+                 looked_for[i]);
+        if (i < 2 && !strstr(reason, reported)) fail_msg("%s: no '%s'", reason, reported);
     }
 }
 
@@ -377,7 +378,7 @@ static void surfaces(void **state) {
     void (*const embeddings[])(const double *, double *) = {on_wide_torus, on_thin_torus};
     const double turns[][2] = {
         {0.38196601125, 0.41421356237}, {0.2360679775, 0.7320508}, {0.1622776, 0.3819660}, {0.27201964951, 0.0917}};
-    int told = 0;
+    int reported = 0;
     (void)state;
     for (size_t i = 0; i < 8; i++) {
         const map_system system = {.map = two_rotations_map,
@@ -398,9 +399,9 @@ static void surfaces(void **state) {
         if (verdict.regime != WHIRL_QUASI_PERIODIC) continue;
         whirl_verdict_name(&verdict, name, sizeof name);
         assert_string_equal(name, "quasi-periodic (3 frequencies)");
-        told++;
+        reported++;
     }
-    assert_true(told >= 7);
+    assert_true(reported >= 7);
 }
 
 /// For a curve exponents give the same verdict as its points. With a second exponent below zero, curves that are not

@@ -64,7 +64,7 @@ static void test_companion_matrices(void **state) {
     expect_spectrum(4, spectrum_of(4, matrix), &wanted, 1e-12);
 }
 
-/// Cyclic shifts have the roots of unity: all moduli alike, where shifts of the QR algorithm can go round in circles.
+/// Cyclic shifts have the roots of unity: all moduli are equal, so that shifts of the QR algorithm may never converge.
 static void test_cyclic_shifts(void **state) {
     static double matrix[MAX_SIZE * MAX_SIZE];
     (void)state;
@@ -183,7 +183,7 @@ static void test_eigenvectors(void **state) {
 
 // ---------------------------------------------------------------- symmetric modes
 
-/// The second difference, 2 on and -1 beside the diagonal: 4 sin^2(j pi / 2 (n + 1)), sin(i j pi / (n + 1)).
+/// The second difference, 2 on and -1 next to the diagonal: 4 sin^2(j pi / 2 (n + 1)), sin(i j pi / (n + 1)).
 static void test_a_string(void **state) {
     enum { N = 40 };
     static double k[N * N], m[N * N], values[N], vectors[N * N];
@@ -328,7 +328,7 @@ static void test_the_shortest_solution(void **state) {
 }
 
 /// The solver reports that a problem without an answer has none.
-static void test_what_has_no_answer(void **state) {
+static void test_problems_without_an_answer(void **state) {
     const double singular[4] = {1, 2, 2, 4}, indefinite[4] = {1, 2, 2, 1}, one[4] = {1, 0, 0, 1};
     double nowhere[4] = {1, NAN, 0, 1}, values[2], more[2], vectors[8], side[4] = {1, 1, 1, 1};
     (void)state;
@@ -345,13 +345,20 @@ static void test_what_has_no_answer(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_companion_matrices), cmocka_unit_test(test_cyclic_shifts),
-        cmocka_unit_test(test_a_chain_of_masses),  cmocka_unit_test(test_full_matrices),
-        cmocka_unit_test(test_a_defective_matrix), cmocka_unit_test(test_bad_scales),
-        cmocka_unit_test(test_eigenvectors),       cmocka_unit_test(test_a_string),
-        cmocka_unit_test(test_full_modes),         cmocka_unit_test(test_hilbert),
-        cmocka_unit_test(test_complex_equations),  cmocka_unit_test(test_the_shortest_solution),
-        cmocka_unit_test(test_what_has_no_answer), cmocka_unit_test(test_blocks_in_a_ring),
+        cmocka_unit_test(test_companion_matrices),
+        cmocka_unit_test(test_cyclic_shifts),
+        cmocka_unit_test(test_a_chain_of_masses),
+        cmocka_unit_test(test_full_matrices),
+        cmocka_unit_test(test_a_defective_matrix),
+        cmocka_unit_test(test_bad_scales),
+        cmocka_unit_test(test_eigenvectors),
+        cmocka_unit_test(test_a_string),
+        cmocka_unit_test(test_full_modes),
+        cmocka_unit_test(test_hilbert),
+        cmocka_unit_test(test_complex_equations),
+        cmocka_unit_test(test_the_shortest_solution),
+        cmocka_unit_test(test_problems_without_an_answer),
+        cmocka_unit_test(test_blocks_in_a_ring),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

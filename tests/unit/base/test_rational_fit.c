@@ -129,7 +129,7 @@ static void with_noise(void **state) {
 
 /// A function with an unstable pole is approximated as well as stable poles can. The fit of a damping that falls with
 /// the frequency has no negative damping beyond the samples.
-static void kept_stable(void **state) {
+static void fits_are_stable(void **state) {
     double w[SAMPLES];
     rational_sample samples[SAMPLES];
     rational_fit unstable = two_pairs, found;
@@ -150,6 +150,6 @@ static void kept_stable(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(found_again), cmocka_unit_test(with_poles_to_spare),
                                        cmocka_unit_test(constants), cmocka_unit_test(with_noise),
-                                       cmocka_unit_test(kept_stable)};
+                                       cmocka_unit_test(fits_are_stable)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

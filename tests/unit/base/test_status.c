@@ -44,11 +44,11 @@ static void sentences_are_cut(void **state) {
             for (; used + width < sizeof longest; used += width) memcpy(longest + used, characters[i], width);
             longest[used] = '\0';
             const char *said = whirl_fail(WHIRL_IO_ERROR, "%s", longest).message;
-            const size_t kept = strlen(said) - 3;
-            assert_string_equal(said + kept, "...");
-            assert_memory_equal(said, longest, kept);
-            assert_int_equal((kept - before) % width, 0);
-            assert_true(kept + width > WHIRL_MESSAGE_SIZE - 4);
+            const size_t length = strlen(said) - 3;
+            assert_string_equal(said + length, "...");
+            assert_memory_equal(said, longest, length);
+            assert_int_equal((length - before) % width, 0);
+            assert_true(length + width > WHIRL_MESSAGE_SIZE - 4);
         }
 }
 
@@ -75,7 +75,7 @@ static void a_sentence_outlasts_so_many_others(void **state) {
     assert_string_not_equal(held.message, "held 2");
 }
 
-static void a_status_is_told_in_another(void **state) {
+static void a_message_may_quote_another(void **state) {
     whirl_status status = whirl_fail(WHIRL_BAD_INPUT, "is 3, expected 4");
     (void)state;
     status = whirl_fail(status.code, "key %s", status.message);
@@ -134,7 +134,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(statuses_are_small),          cmocka_unit_test(sentences_are_cut),
         cmocka_unit_test(equal_sentences_are_one),     cmocka_unit_test(a_sentence_outlasts_so_many_others),
-        cmocka_unit_test(a_status_is_told_in_another), cmocka_unit_test(the_first_error_stays),
+        cmocka_unit_test(a_message_may_quote_another), cmocka_unit_test(the_first_error_stays),
         cmocka_unit_test(threads_fail_side_by_side),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,4 +1,4 @@
-// The words for units of figures: what they mean, and what is said of those that are none.
+// Names of units of figures: their meaning, and messages for unknown ones.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

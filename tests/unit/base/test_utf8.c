@@ -31,7 +31,7 @@ static bool steers(unsigned number) {
     return number < 0x20 || (number >= 0x7F && number <= 0x9F);
 }
 
-static void every_character_is_told_apart(void **state) {
+static void every_character_has_its_length(void **state) {
     (void)state;
     for (unsigned number = 0; number <= 0x10FFFF; number++) {
         char text[8] = "";
@@ -68,7 +68,7 @@ static void lines_are_made_plain(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_character_is_told_apart),
+        cmocka_unit_test(every_character_has_its_length),
         cmocka_unit_test(lines_are_made_plain),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -69,7 +69,7 @@ static void expect_item_problem(const char *item, const char *expected) {
     whirl_problems_free(&problems);
 }
 
-static void wrong_claims_are_told(void **state) {
+static void wrong_claims_are_refused(void **state) {
     (void)state;
     expect_item_problem("at: 1, regime: P-0", "c:5:46: items[1].regime: is P-0, did you mean P-1?");
     expect_item_problem(
@@ -93,7 +93,7 @@ static void wrong_claims_are_told(void **state) {
     expect_item_problem("at: 1, largest: [2, 1]", "c:5:38: items[1].largest: expected the lower order first");
 }
 
-static void wrong_claims_of_branches_are_told(void **state) {
+static void wrong_claims_of_branches_are_refused(void **state) {
     (void)state;
     expect_item_problem("at: 1, changes: [hof]", "c:5:48: items[1].changes[1]: is hof, did you mean hopf?");
     expect_item_problem("at: 1, unchanged: hopf",
@@ -160,9 +160,9 @@ static void other_files_are_refused(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_paper_s_claims_are_read), cmocka_unit_test(wrong_claims_are_told),
+        cmocka_unit_test(the_paper_s_claims_are_read), cmocka_unit_test(wrong_claims_are_refused),
         cmocka_unit_test(ranges_are_ordered),          cmocka_unit_test(yes_is_true),
-        cmocka_unit_test(other_files_are_refused),     cmocka_unit_test(wrong_claims_of_branches_are_told),
+        cmocka_unit_test(other_files_are_refused),     cmocka_unit_test(wrong_claims_of_branches_are_refused),
         cmocka_unit_test(claims_of_branches_are_read),
     };
     return cmocka_run_group_tests_name("claims", tests, NULL, NULL);

@@ -1,5 +1,5 @@
-// By what accelerations can depend, as machines tell it to implicit methods, holds all that the exact Jacobian has: for
-// the machines of all cases that ship, which have every element.
+// The sparsity that machines report to implicit methods contains every nonzero entry of the exact Jacobian, for the
+// machines of all shipped cases, which have every element.
 #include "case_support.h"
 
 #include <math.h>
@@ -67,7 +67,7 @@ static void cases_that_ship(void **state) {
         snprintf(path, sizeof path, "%s/%s.yaml", WHIRL_CASES, names[i]);
         assert_int_equal(whirl_case_load(path, NULL, &object).code, WHIRL_OK);
         const size_t zeros = compare_case(names[i], object);
-        if (i == 0) assert_true(zeros > 0); // where stations are many, something does not depend on something
+        if (i == 0) assert_true(zeros > 0); // with many stations some entries are zero
     }
 }
 

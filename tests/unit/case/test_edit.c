@@ -97,7 +97,7 @@ static void keys_are_removed_with_all_below(void **state) {
     assert_null(found);
 }
 
-static void what_takes_no_value_is_refused(void **state) {
+static void other_nodes_take_no_value(void **state) {
     (void)state;
     static const char *const wrong[][3] = {
         {"a: {b: 1}\n", "a", "2"},       {"a: [1]\n", "a", "2"},        {"a: [1]\n", "a.b", "2"},
@@ -183,7 +183,7 @@ int main(void) {
         cmocka_unit_test(missing_keys_are_added),
         cmocka_unit_test(keys_are_taken_out),
         cmocka_unit_test(keys_are_removed_with_all_below),
-        cmocka_unit_test(what_takes_no_value_is_refused),
+        cmocka_unit_test(other_nodes_take_no_value),
         cmocka_unit_test(an_edited_case_means_what_was_written),
         cmocka_unit_test(uses_are_found),
         cmocka_unit_test(comments_are_those_of_the_line),

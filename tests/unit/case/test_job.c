@@ -1,4 +1,4 @@
-// Cases, runs and results through handles say what the structs hold.
+// Cases, runs and results by handles have the numbers of the structs.
 #include "case_support.h"
 
 #include <math.h>
@@ -32,7 +32,7 @@ static void all_problems_are_listed(void **state) {
     free(text);
 }
 
-static void problems_are_cut_at_their_room(void **state) {
+static void problems_are_cut_at_the_buffers_end(void **state) {
     (void)state;
     char problems[16] = "no end in here!", *text = edited(good_case, "mass: 4 kg", "mass: -4 kg");
     whirl_case *object;
@@ -145,7 +145,7 @@ static void a_stopped_job_says_so(void **state) {
     (void)state;
     whirl_job *job;
     whirl_result *result;
-    // So many points that a run cannot end before it looks whether it shall.
+    // Enough points that the run does not end before it checks for a stop.
     char *text = edited(good_case, "points: 5", "points: 5000"),
          *longer = edited(text, "transient: 20", "transient: 200000");
     whirl_case *object = parse_good(longer);
@@ -162,8 +162,8 @@ static void a_stopped_job_says_so(void **state) {
     free(text);
 }
 
-static void note_end(void *context, const char *stage, double done, double total, double revolutions, double all,
-                     double seconds) {
+static void record_stage(void *context, const char *stage, double done, double total, double revolutions, double all,
+                         double seconds) {
     double *last = context;
     assert_string_equal(stage, "compute");
     assert_true(revolutions <= all && seconds >= 0.0);
@@ -178,7 +178,7 @@ static void progress_ends_with_all_points(void **state) {
     whirl_result *result;
     whirl_case *object = parse_good(good_case);
     assert_int_equal(whirl_job_new(object, &job).code, WHIRL_OK);
-    whirl_job_progress(job, note_end, last);
+    whirl_job_progress(job, record_stage, last);
     assert_int_equal(whirl_job_run(job, &result).code, WHIRL_OK);
     assert_true(last[0] == 5.0 && last[1] == 5.0);
     whirl_result_free(result);
@@ -201,7 +201,7 @@ static void budgets_are_numbers(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(all_problems_are_listed),
-        cmocka_unit_test(problems_are_cut_at_their_room),
+        cmocka_unit_test(problems_are_cut_at_the_buffers_end),
         cmocka_unit_test(the_text_follows_what_is_set),
         cmocka_unit_test(lists_are_those_of_the_struct),
         cmocka_unit_test(columns_are_those_of_the_blocks),

@@ -1,4 +1,4 @@
-// Every option that a case may say arrives in its study, wherever its table is and whatever it is called.
+// Every option of a case arrives in its study, in any part of it and under any name.
 #include "case_support.h"
 
 #include <math.h>

@@ -95,7 +95,7 @@ static void starts(void **state) {
     expect_problem("journal: {x: 0.1, y: -0.5, vx: 0.25}", "journal: {x: = -1.5*c}",
                    "t:20:30: study.initial.journal: starts 1.5 clearances from the centre of its bearing, expected "
                    "less than 1");
-    // Where every point starts at rest the state counts for nothing, until a detail starts from it.
+    // If every point starts from the equilibrium the initial state has no effect, until a detail starts from it.
     char *text = edited(good_case, "start: state", "start: rest");
     char *more = edited(text, "x: 0.1, y: -0.5, vx", "x: 1.1, y: -0.5, vx");
     whirl_case_free(parse_good(more));
@@ -160,8 +160,8 @@ static void units_of_sweeps(void **state) {
          "t:20:46: study.sweep.to: is in kg, expected a unit of m"},
         {"  kappa: 10\n  gap: = wide\n  wide: = 1.2*c\n", "gap: = gap", "from: 0.2 mm, to: 200 kg",
          "t:21:46: study.sweep.to: is in kg, expected a unit of m"},
-        {"  kappa: 10\n  wide: = 1.2*c\n", "gap: = 1*wide", "from: 0.2 mm, to: 200 kg", // what it is nobody knows, but
-         "t:20:46: study.sweep.to: is in kg, expected a unit of m"},                    // one thing
+        {"  kappa: 10\n  wide: = 1.2*c\n", "gap: = 1*wide", "from: 0.2 mm, to: 200 kg", // its unit is not known, but
+         "t:20:46: study.sweep.to: is in kg, expected a unit of m"},                    // it is one unit
         {"  kappa: 10\n  wide: = 1.2*c\n", "gap: = wide", "from: 0.2 mm, to: 3e-4", NULL},
         {"  kappa: 10\n  wide: = 1.2*c\n", "gap: = 1*wide", "from: 2e-4, to: 0.3 mm", NULL},
         {"  kappa: 10\n  gap: = wide\n  wide: = 1.2*c\n", "gap: = gap", "from: = c, to: = 2*c", NULL},
@@ -181,7 +181,7 @@ static void single_analyses(void **state) {
     (void)state;
     for (const whirl_analysis *a = whirl_analyses(); a->name; a++) {
         char list[64];
-        if (strcmp(a->name, "waveform") == 0) continue; // of which some must be kept
+        if (strcmp(a->name, "waveform") == 0) continue; // at least one revolution must be recorded
         if (!a->kind->moves) continue;                  // a study, or a part of it, of its own
         snprintf(list, sizeof list, "analyze: [%s]", a->name);
         whirl_case_free(parse_edited("analyze: [poincare, regime, spectrum]", list));
@@ -556,7 +556,8 @@ static void many_problems_at_once(void **state) {
     assert_string_equal(problems.items[1].key, "rotor.stations.disc.mass");
     assert_string_equal(problems.items[2].key, "study.sweep.points");
     whirl_problems_free(&problems);
-    // An element that contradicts itself is told beside mistakes elsewhere, one with a mistake of its own is not.
+    // A contradiction in an element is reported together with mistakes elsewhere, but not with a mistake in the same
+    // element.
     char *film = edited(three, "load: 200 N", "load: = kappa, radius: 3 mm");
     char *rub = edited(film, "friction: 0.1", "radius: 3 mm, frictoin: 1");
     assert_int_equal(whirl_case_parse(rub, strlen(rub), "t", &problems, &object).code, WHIRL_BAD_INPUT);

@@ -278,7 +278,7 @@ static void expect_key_set(const char *assignment, const char *old, const char *
     assert_int_equal(status.code, WHIRL_OK);
     assert_int_equal(whirl_case_describe_result(set, a).code, WHIRL_OK);
     assert_int_equal(whirl_case_describe_result(edited_case, b).code, WHIRL_OK);
-    assert_string_equal(a->case_text, b->case_text); // what a result holds, so that it tells what was computed
+    assert_string_equal(a->case_text, b->case_text); // the text in a result is that of the computed case
     whirl_result_free(a);
     whirl_result_free(b);
     whirl_case_free(set);
@@ -297,7 +297,7 @@ static void keys_are_set_in_the_text(void **state) {
     expect_key_set("sweep.points=7", "points: 5", "points: 7");
     expect_key_set("initial.disc.y=-20 um", "disc: {y: -0.5}", "disc: {y: -20 um}");
     expect_key_set("rotor.elements[1].shaft.k1=2 kN/mm", "k1: 1 kN/mm", "k1: 2 kN/mm");
-    expect_key_set("parameters.omega=99", "A rotor", "A rotor"); // a parameter: beside the text, as ever
+    expect_key_set("parameters.omega=99", "A rotor", "A rotor"); // a parameter: outside the text, as before
     // A key that is absent is written before the others; what was set before stays.
     whirl_case *object = parse_good(good_case);
     assert_int_equal(whirl_case_set(object, "omega=99").code, WHIRL_OK);

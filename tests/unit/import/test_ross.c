@@ -1,4 +1,4 @@
-// Rotors saved by ROSS: what of a file stands in the case, what is refused, and what is said of the rest.
+// Rotors saved by ROSS: converted parts, refusals, and notes about parts that are left out.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -113,7 +113,7 @@ static void expect_note(const char *from, const char *to, const char *note) {
     whirl_imported_free(&imported);
 }
 
-static void test_taken_over(void **state) {
+static void test_converted_lines(void **state) {
     (void)state;
     expect_line("", "", "    steel: {modulus: 211 GPa, shear_modulus: 81.2 GPa, density: 7810 kg/m3}\n");
     expect_line("", "", "    shaft: {material: steel, shear: cowper}\n");
@@ -347,7 +347,8 @@ static void expect_of_3(const char *table, const char *line, const char *message
     snprintf(whole, sizeof whole, "%.*s%s%s", (int)(place - text), text, table, place + strlen(old));
     const whirl_status status = whirl_import_parse(whole, strlen(whole), "r.toml", &imported);
     if (line ? status.code != WHIRL_OK : strcmp(status.message, message) != 0) fail_msg("%s", status.message);
-    const size_t notes = line && strstr(line, "frequencies") ? 2 : 1; // of what stands in time for a table
+    const size_t notes =
+        line && strstr(line, "frequencies") ? 2 : 1; // about the rational function of a table in motions
     if (line && (!strstr(imported.text, line) || imported.note_count != notes)) fail_msg("%s", imported.text);
     whirl_imported_free(&imported);
 }
@@ -605,15 +606,24 @@ static void test_deep_and_large(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_taken_over),   cmocka_unit_test(test_options_of_the_shaft),
-        cmocka_unit_test(test_refused),      cmocka_unit_test(test_refused_by_name),
-        cmocka_unit_test(test_magnets),      cmocka_unit_test(test_film),
-        cmocka_unit_test(test_no_rotor),     cmocka_unit_test(test_notes),
-        cmocka_unit_test(test_differences),  cmocka_unit_test(test_speeds),
-        cmocka_unit_test(test_names),        cmocka_unit_test(test_json),
-        cmocka_unit_test(test_long_tables),  cmocka_unit_test(test_deep_and_large),
-        cmocka_unit_test(test_broken_bytes), cmocka_unit_test(test_strange_numbers),
-        cmocka_unit_test(test_no_machine),   cmocka_unit_test(ross3),
+        cmocka_unit_test(test_converted_lines),
+        cmocka_unit_test(test_options_of_the_shaft),
+        cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_refused_by_name),
+        cmocka_unit_test(test_magnets),
+        cmocka_unit_test(test_film),
+        cmocka_unit_test(test_no_rotor),
+        cmocka_unit_test(test_notes),
+        cmocka_unit_test(test_differences),
+        cmocka_unit_test(test_speeds),
+        cmocka_unit_test(test_names),
+        cmocka_unit_test(test_json),
+        cmocka_unit_test(test_long_tables),
+        cmocka_unit_test(test_deep_and_large),
+        cmocka_unit_test(test_broken_bytes),
+        cmocka_unit_test(test_strange_numbers),
+        cmocka_unit_test(test_no_machine),
+        cmocka_unit_test(ross3),
         cmocka_unit_test(in_time),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

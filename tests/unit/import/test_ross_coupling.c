@@ -1,4 +1,4 @@
-// Couplings in rotors saved by ROSS: shafts, stations and elements that they become, what is refused and what is said.
+// Couplings in rotors saved by ROSS: the resulting shafts, stations and elements, refusals and notes.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -110,7 +110,7 @@ static void test_unequal(void **state) {
     expect_none(LATERAL, "kt_x = 4e6\n", "coupling:");
 }
 
-/// Couplings may follow each other, lie beside a piece of shaft, or end in the air.
+/// Couplings may follow each other, be parallel to a piece of shaft, or have a free end.
 static void test_places(void **state) {
     static const char more[] = "kt_x = 4e6\nkt_y = 4e6\nm_l = 1\nm_r = 1\nIp_l = 0.01\nIp_r = 0.02\n";
     char text[1024];

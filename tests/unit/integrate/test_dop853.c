@@ -1,5 +1,5 @@
 // The pair of order 8(5,3): its numbers, its interpolant, and motions that switch, slide and graze, against closed
-// forms, by Rodas5P as well; those that slide also by CVODE, whose sides are held in the same way.
+// forms, by Rodas5P as well; those that slide also by CVODE, which fixes the sides of switches in the same way.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -335,7 +335,7 @@ static whirl_system block_system(const block *model, double period) {
                           .model = model};
 }
 
-/// Methods that slide, and by how many tolerances they may be wrong after a few revolutions.
+/// Methods that follow sliding, and their allowed error in tolerances after a few revolutions.
 static const struct sliding_method {
     const char *name;
     double errors;

@@ -1,4 +1,4 @@
-// Lanes come and go: machines that have left an ensemble are not asked for anything, and those that stay do not notice.
+// Machines that were removed from an ensemble are not evaluated, and the others do not change.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -19,7 +19,8 @@ static void must(whirl_status status) {
     if (status.code != WHIRL_OK) fail_msg("%s", status.message);
 }
 
-// ---------------------------------------------------------------- machines that must not be asked once they have left
+// ---------------------------------------------------------------- machines that must not be evaluated after their
+// removal
 
 /// A rotor that rubs in every revolution, and a copy of its system whose functions can be taken away.
 typedef struct machine {
@@ -50,32 +51,32 @@ static machine *machine_new(double eccentricity, double damping) {
     return own;
 }
 
-static void rhs_of_nobody(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
+static void rhs_of_removed(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
     (void)model, (void)t, (void)forcing, (void)x, (void)dxdt;
-    fail_msg("a machine was asked for its forces after it had left");
+    fail_msg("a machine was asked for its forces after it was removed");
 }
-static void rhs_on_sides_of_nobody(const void *model, double t, const double *forcing, const double *x,
-                                   const double *sides, double *dxdt) {
+static void rhs_on_sides_of_removed(const void *model, double t, const double *forcing, const double *x,
+                                    const double *sides, double *dxdt) {
     (void)sides;
-    rhs_of_nobody(model, t, forcing, x, dxdt);
+    rhs_of_removed(model, t, forcing, x, dxdt);
 }
-static void switches_of_nobody(const void *model, double t, const double *x, double *values) {
+static void switches_of_removed(const void *model, double t, const double *x, double *values) {
     (void)model, (void)t, (void)x, (void)values;
-    fail_msg("a machine was asked for its switches after it had left");
+    fail_msg("a machine was asked for its switches after it was removed");
 }
-static void contacts_of_nobody(const void *model, const double *x, double *force) {
+static void contacts_of_removed(const void *model, const double *x, double *force) {
     (void)model, (void)x, (void)force;
-    fail_msg("a machine was asked for its contacts after it had left");
+    fail_msg("a machine was asked for its contacts after it was removed");
 }
 
-/// Frees the rotor. Its system remains, with functions that fail the test when they are called.
-static void machine_leaves(machine *own) {
+/// Frees the rotor of a removed machine. Its system remains, with functions that fail the test when they are called.
+static void machine_forbid(machine *own) {
     whirl_rotor_free(own->rotor);
     own->rotor = NULL;
-    own->system.rhs = rhs_of_nobody;
-    own->system.rhs_on_sides = rhs_on_sides_of_nobody;
-    own->system.switches = switches_of_nobody;
-    own->system.contacts = contacts_of_nobody;
+    own->system.rhs = rhs_of_removed;
+    own->system.rhs_on_sides = rhs_on_sides_of_removed;
+    own->system.switches = switches_of_removed;
+    own->system.contacts = contacts_of_removed;
 }
 
 static void machine_free(machine *own) {
@@ -146,34 +147,33 @@ static void observe_every_third(const way *by, const char *set) {
     bool third[LANES];
     const whirl_ensemble_observe all = {.extremes = true}, some = {.extremes = true, .lanes = third};
     machine *structure = machine_new(1.0, by->damping);
-    whirl_ensemble *ways_to_look[] = {ensemble_by(by, set, &structure->system),
-                                      ensemble_by(by, set, &structure->system)};
-    for (size_t i = 0; ways_to_look[0] && i < LANES; i++) {
+    whirl_ensemble *ensembles[] = {ensemble_by(by, set, &structure->system), ensemble_by(by, set, &structure->system)};
+    for (size_t i = 0; ensembles[0] && i < LANES; i++) {
         third[i] = i % 3 == 1;
         own[i] = machine_new(eccentricity_of(i), by->damping);
-        for (int w = 0; w < 2; w++) must(whirl_ensemble_load(ways_to_look[w], i, &own[i]->system, start));
+        for (int w = 0; w < 2; w++) must(whirl_ensemble_load(ensembles[w], i, &own[i]->system, start));
     }
-    for (int n = 0; ways_to_look[0] && n < TOGETHER; n++) {
-        whirl_ensemble_revolve(ways_to_look[0], LANES, &all);
-        whirl_ensemble_revolve(ways_to_look[1], LANES, &some);
+    for (int n = 0; ensembles[0] && n < TOGETHER; n++) {
+        whirl_ensemble_revolve(ensembles[0], LANES, &all);
+        whirl_ensemble_revolve(ensembles[1], LANES, &some);
     }
-    for (size_t i = 0; ways_to_look[0] && i < LANES; i++) {
+    for (size_t i = 0; ensembles[0] && i < LANES; i++) {
         double x[DIMENSION], low[2][DIMENSION], share[2];
-        whirl_ensemble_state(ways_to_look[0], i, x);
-        expect_same(ways_to_look[1], i, x);
+        whirl_ensemble_state(ensembles[0], i, x);
+        expect_same(ensembles[1], i, x);
         for (int w = 0; w < 2; w++) {
             const whirl_ensemble_seen seen = {.low = low[w], .contact_share = &share[w]};
-            whirl_ensemble_read(ways_to_look[w], i, &seen);
+            whirl_ensemble_read(ensembles[w], i, &seen);
         }
         if (third[i]) assert_memory_equal(low[0], low[1], sizeof low[0]);
         if (third[i]) assert_true(low[0][0] < 0.0 && share[0] > 0.0 && share[0] == share[1]);
         machine_free(own[i]);
     }
-    for (int w = 0; w < 2; w++) whirl_ensemble_free(ways_to_look[w]);
+    for (int w = 0; w < 2; w++) whirl_ensemble_free(ensembles[w]);
     machine_free(structure);
 }
 
-static void test_lanes_that_are_observed_do_not_notice_others(void **state) {
+static void test_observed_lanes_are_independent(void **state) {
     (void)state;
     for (size_t w = 0; w < WAYS; w++)
         for (size_t s = 0; s < SETS; s++) observe_every_third(&ways[w], sets[s]);
@@ -197,7 +197,7 @@ static void leave_one_by_one(const way *by, const char *set) {
     for (size_t used = LANES - 1; lanes && used > 0; used--, revolutions += ALONE) {
         double expected[DIMENSION];
         whirl_ensemble_move(lanes, used, 0);
-        machine_leaves(own[who[0]]);
+        machine_forbid(own[who[0]]);
         who[0] = who[used];
         revolve(lanes, used, ALONE);
         carry_alone(by, set, eccentricity_of(who[0]), revolutions + ALONE, expected);
@@ -206,7 +206,7 @@ static void leave_one_by_one(const way *by, const char *set) {
     if (lanes) {
         double expected[DIMENSION];
         whirl_ensemble_unload(lanes, 0);
-        machine_leaves(own[who[0]]);
+        machine_forbid(own[who[0]]);
         must(whirl_ensemble_load(lanes, 1, &structure->system, start));
         revolve(lanes, 2, ALONE); // the first is empty
         carry_alone(by, set, 1.0, ALONE, expected);
@@ -217,7 +217,7 @@ static void leave_one_by_one(const way *by, const char *set) {
     machine_free(structure);
 }
 
-static void test_machines_that_left_are_not_asked(void **state) {
+static void test_removed_machines_are_not_evaluated(void **state) {
     (void)state;
     for (size_t set = 0; set < SETS; set++)
         for (size_t by = 0; by < WAYS; by++) leave_one_by_one(&ways[by], sets[set]);
@@ -288,7 +288,7 @@ typedef struct sampled {
     double of[4][2];
 } sampled;
 
-static void sample_both(void *context) {
+static void sample_on_two_threads(void *context) {
     sampled *s = context;
     memcpy(s->of[s->count++], whirl_ensemble_coordinate(s->ensemble, 1), sizeof *s->of);
 }
@@ -308,7 +308,7 @@ static void expect_gathered(const whirl_ensemble *lanes, size_t lane, const gath
     assert_true(g->begun >= 1.0);
 }
 
-/// A motion after three revolutions, with what was seen of it and, where one is followed, its perturbation.
+/// A motion after three revolutions, with its observations and, where one is followed, its perturbation.
 typedef struct carried {
     double x[DIMENSION], vector[DIMENSION], growth;
     gathered seen;
@@ -336,7 +336,8 @@ static void carry_by_integrator(const whirl_system *system, const whirl_integrat
 }
 
 static void carry_in_lanes(whirl_ensemble *lanes, size_t followed, sampled *samples, carried out[2]) {
-    const whirl_ensemble_observe watch = {.extremes = true, .stride = 16, .sample = sample_both, .context = samples};
+    const whirl_ensemble_observe watch = {
+        .extremes = true, .stride = 16, .sample = sample_on_two_threads, .context = samples};
     for (int i = 0; i < 3; i++) {
         whirl_perturbations beside[2];
         for (size_t l = 0; l < 2 && followed > 0; l++) {
@@ -371,7 +372,7 @@ static void expect_lanes_of_integrators(const char *method, size_t followed) {
         expect_gathered(lanes, l, &alone[l].seen);
         for (int n = 0; n < 4; n++) assert_true(samples.of[n][l] == alone[l].seen.samples[n]);
     }
-    // The second one moves into the place of the first with all that was seen of it, and goes on there.
+    // The second one moves into the lane of the first with all its observations, and continues there.
     whirl_ensemble_move(lanes, 1, 0);
     expect_gathered(lanes, 0, &alone[1].seen);
     whirl_ensemble_revolve(lanes, 2, NULL);
@@ -474,7 +475,7 @@ static void expect_near(const flown *a, const flown *b) {
 
 /// A rotor that rubs, with forces that jump and without, is carried in one lane over the whole period, and over its
 /// parts one after the other.
-static void test_parts_lead_where_integrators_do(void **state) {
+static void test_parts_agree_with_integrators(void **state) {
     (void)state;
     for (int damped = 0; damped < 2; damped++) {
         machine *own = machine_new(eccentricity_of(0), 0.3 * damped);
@@ -496,7 +497,7 @@ static void test_parts_lead_where_integrators_do(void **state) {
 }
 
 /// Neighbours and, where multiply-adds are fused, widths change no bit.
-static void test_parts_do_not_notice_others(void **state) {
+static void test_parts_are_independent(void **state) {
     (void)state;
     machine *own = machine_new(eccentricity_of(0), 0.0);
     const double period = own->system.period, from[LANES] = {0.0, 1.0, 2.0, 3.0, 4.0};
@@ -535,13 +536,13 @@ static void test_parts_of_other_methods_are_refused(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_rotor_rubs),
-        cmocka_unit_test(test_lanes_that_are_observed_do_not_notice_others),
-        cmocka_unit_test(test_machines_that_left_are_not_asked),
+        cmocka_unit_test(test_observed_lanes_are_independent),
+        cmocka_unit_test(test_removed_machines_are_not_evaluated),
         cmocka_unit_test(test_a_machine_that_moves_nowhere_stays),
         cmocka_unit_test(test_lanes_of_integrators),
         cmocka_unit_test(test_lanes_of_integrators_have_one_shape),
-        cmocka_unit_test(test_parts_lead_where_integrators_do),
-        cmocka_unit_test(test_parts_do_not_notice_others),
+        cmocka_unit_test(test_parts_agree_with_integrators),
+        cmocka_unit_test(test_parts_are_independent),
         cmocka_unit_test(test_parts_of_other_methods_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,4 +1,4 @@
-// Integrators against closed forms, and what they say of bad options and of motions without bounds.
+// Integrators against closed forms, and their messages about bad options and motions without bounds.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -179,7 +179,7 @@ static void stiff_rhs(const void *model, double t, const double *forcing, const 
     dxdt[0] = -own->rate * (x[0] - cos(t)) - sin(t);
 }
 
-static void see_cosine(void *observer, double t, const double *x) {
+static void compare_with_cosine(void *observer, double t, const double *x) {
     double *worst = observer;
     *worst = fmax(*worst, fabs(x[0] - cos(t)));
 }
@@ -194,7 +194,7 @@ static void test_stiff_problem(void **state) {
             const stiff_model model = {rate, &asked};
             const whirl_system system = {.dimension = 1, .period = 4.0, .rhs = stiff_rhs, .model = &model};
             whirl_integrator *integrator = integrator_of(&system, "rodas5p", tolerances[i]);
-            assert_int_equal(whirl_integrator_revolve(integrator, &x, see_cosine, &worst), WHIRL_BOUNDED);
+            assert_int_equal(whirl_integrator_revolve(integrator, &x, compare_with_cosine, &worst), WHIRL_BOUNDED);
             expect_near(x, cos(4.0), 10.0 * tolerances[i]);
             expect_near(worst, 0.0, 10.0 * tolerances[i]); // within steps as well
             assert_in_range(asked, 1, 15000);              // an explicit method would need 1e9
@@ -226,9 +226,9 @@ static const whirl_system duffing = {.dimension = 2, .period = 6.283185307179586
 
 static void test_with_the_jacobian_and_without(void **state) {
     (void)state;
-    whirl_system told = duffing;
-    told.tangent = duffing_tangent;
-    const whirl_system *systems[] = {&duffing, &told};
+    whirl_system with_tangent = duffing;
+    with_tangent.tangent = duffing_tangent;
+    const whirl_system *systems[] = {&duffing, &with_tangent};
     double exact[2] = {1.0, 0.0};
     whirl_integrator *reference = integrator_of(&duffing, "dop853", 1e-14);
     whirl_integrator_revolve(reference, exact, NULL, NULL);

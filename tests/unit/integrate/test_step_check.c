@@ -16,7 +16,7 @@ static const double pi = 3.14159265358979323846;
 
 // ---------------------------------------------------------------- steps
 
-/// x'' + 2 d x' + w^2 x = cos t, about whose forcing nothing is hidden: lambda = -d +- sqrt(d^2 - w^2).
+/// x'' + 2 d x' + w^2 x = cos t: lambda = -d +- sqrt(d^2 - w^2).
 typedef struct spring {
     double damping, square;
 } spring;
@@ -70,7 +70,7 @@ static void test_the_limit_of_decay(void **state) {
         assert_true(good.steps == ceil(least));
         assert_true(whirl_step_is_unstable(&bad));
         assert_true(bad.steps >= least && bad.steps <= 1.1 * least);
-        assert_true(isnan(bad.error)); // what the machine does is not looked at
+        assert_true(isnan(bad.error)); // for other methods the machine is not evaluated
         const double z = -2 * pi * r / (0.5 * least);
         const double growth = 1 + z * (1 + z / 2 * (1 + z / 3 * (1 + z / 4)));
         const whirl_step_check half = check_spring(damping, 1, (int)(0.5 * least), jacobian);
@@ -85,12 +85,12 @@ static void test_the_limit_of_oscillation(void **state) {
     const whirl_step_check good = check_spring(0, w * w, (int)ceil(1.001 * least), true);
     const whirl_step_check bad = check_spring(0, w * w, (int)(0.98 * least), true);
     assert_false(whirl_step_is_unstable(&good));
-    assert_true(good.error > 0.05); // stable, and yet all wrong: the mode is damped away that is not damped
+    assert_true(good.error > 0.05); // stable, but wrong: the method damps an undamped mode
     assert_true(whirl_step_is_unstable(&bad));
 }
 
 /// A machine that is itself unstable is no reason to refuse the step.
-static void test_what_grows_by_itself(void **state) {
+static void test_unstable_machines(void **state) {
     (void)state;
     const whirl_step_check slow = check_spring(-0.1, 4, 64, true), fast = check_spring(-3, 1, 64, true);
     assert_false(whirl_step_is_unstable(&slow));
@@ -121,7 +121,7 @@ static void test_methods_with_a_tolerance_are_left_alone(void **state) {
 
 /// The steps of dop853 are in proportion to the decay rate, by its own limit on the real axis; those of rodas5p are not
 /// limited.
-static void test_what_stiffness_costs(void **state) {
+static void test_steps_of_stiff_machines(void **state) {
     double steps[2];
     (void)state;
     for (int i = 0; i < 3; i++) {
@@ -165,11 +165,11 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_limit_of_decay),
         cmocka_unit_test(test_the_limit_of_oscillation),
-        cmocka_unit_test(test_what_grows_by_itself),
+        cmocka_unit_test(test_unstable_machines),
         cmocka_unit_test(test_the_error_of_a_revolution),
         cmocka_unit_test(test_methods_with_a_tolerance_are_left_alone),
         cmocka_unit_test(test_amplification),
-        cmocka_unit_test(test_what_stiffness_costs),
+        cmocka_unit_test(test_steps_of_stiff_machines),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -51,7 +51,7 @@ static void series_hold_the_curve(void **state) {
     }
 }
 
-static void weights_say_the_same(void **state) {
+static void weights_give_the_same(void **state) {
     (void)state;
     double points[COUNT * N], weights[COUNT], slopes[COUNT], x[N], slope[N];
     make_points(COUNT, points);
@@ -95,7 +95,7 @@ static void points_may_be_more_or_fewer(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(series_hold_the_curve), cmocka_unit_test(weights_say_the_same),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(series_hold_the_curve), cmocka_unit_test(weights_give_the_same),
                                        cmocka_unit_test(points_may_be_more_or_fewer)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

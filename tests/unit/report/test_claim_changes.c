@@ -1,4 +1,4 @@
-// Claims of branches beside a branch and a curve whose points are known.
+// Claims of branches, compared with a branch and a curve whose points are known.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

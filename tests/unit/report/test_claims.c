@@ -1,5 +1,4 @@
-// Claims beside results whose content is known: what agrees, what agrees in part, what does not, and what is said of
-// it.
+// Claims compared with known results: agreement, partial agreement, disagreement, and the messages.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -40,7 +39,7 @@ static void point_claims(void **state) {
     assert_string_equal(found, "P-1; no rub");
 }
 
-static void doubt_is_told(void **state) {
+static void low_confidence_is_reported(void **state) {
     (void)state;
     char found[600];
     const whirl_claims claims = {.parameter = "r_k", .station = "disc"};
@@ -159,7 +158,7 @@ static void divergence_is_diverging_backward(void **state) {
     whirl_result_free(result);
 }
 
-static void what_is_unknown_does_not_agree(void **state) {
+static void unknown_numbers_do_not_agree(void **state) {
     (void)state;
     char found[600];
     const whirl_claims claims = {.parameter = "r_k", .station = "disc"};
@@ -204,14 +203,14 @@ static void nothing_to_compare(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(point_claims),
-        cmocka_unit_test(doubt_is_told),
+        cmocka_unit_test(low_confidence_is_reported),
         cmocka_unit_test(point_comes_from_detail_or_nearest),
         cmocka_unit_test(range_claims),
         cmocka_unit_test(line_claims),
         cmocka_unit_test(band_claims),
         cmocka_unit_test(curves_and_whirl_claims),
         cmocka_unit_test(divergence_is_diverging_backward),
-        cmocka_unit_test(what_is_unknown_does_not_agree),
+        cmocka_unit_test(unknown_numbers_do_not_agree),
         cmocka_unit_test(points_not_done_are_unknown),
         cmocka_unit_test(nothing_to_compare),
     };

@@ -137,7 +137,7 @@ static void maps_are_leaner_and_then_thinned(void **state) {
 }
 
 /// A map with missing points lists the cells of its points.
-static void maps_with_holes_tell_their_cells(void **state) {
+static void maps_with_holes_list_their_cells(void **state) {
     (void)state;
     whirl_result *result = map_of(3, 2);
     result->tables[0].done = calloc(6, 1);
@@ -152,7 +152,7 @@ static void maps_with_holes_tell_their_cells(void **state) {
 }
 
 /// A refined map with one undivided square, cut off above: its corners are in the page, in a grid of all cells.
-static void refined_maps_tell_their_squares(void **state) {
+static void refined_maps_list_their_squares(void **state) {
     static const size_t corners[] = {0, 4, 10, 14};
     (void)state;
     whirl_result *result = map_of(5, 3);
@@ -273,7 +273,7 @@ static void orbits_are_thinned(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(large_tables_are_thinned),         cmocka_unit_test(critical_speeds_are_never_thinned),
-        cmocka_unit_test(maps_are_leaner_and_then_thinned), cmocka_unit_test(maps_with_holes_tell_their_cells),
-        cmocka_unit_test(refined_maps_tell_their_squares),  cmocka_unit_test(orbits_are_thinned)};
+        cmocka_unit_test(maps_are_leaner_and_then_thinned), cmocka_unit_test(maps_with_holes_list_their_cells),
+        cmocka_unit_test(refined_maps_list_their_squares),  cmocka_unit_test(orbits_are_thinned)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -102,7 +102,7 @@ static void a_crowd_stands_apart(void **state) {
     assert_true(before >= 24); // 5 letters, 0.57 cm by 0.24 cm, in 7.2 cm by 4 cm: 200 at the very most
 }
 
-static void texts_with_room_stay(void **state) {
+static void texts_that_fit_stay(void **state) {
     (void)state;
     whirl_figure *moved = crowd(2, true), *fixed = crowd(2, false);
     const whirl_panel *one = moved->panels[0], *other = fixed->panels[0];
@@ -166,7 +166,7 @@ static void legends_and_fixed_texts_are_kept_clear(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(a_crowd_stands_apart), cmocka_unit_test(texts_with_room_stay),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(a_crowd_stands_apart), cmocka_unit_test(texts_that_fit_stay),
                                        cmocka_unit_test(texts_at_edges_stand_inside),
                                        cmocka_unit_test(legends_and_fixed_texts_are_kept_clear)};
     return cmocka_run_group_tests(tests, NULL, NULL);

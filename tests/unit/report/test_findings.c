@@ -169,7 +169,7 @@ static void numbers(void **state) {
     static const struct {
         double number;
         int digits;
-        const char *told;
+        const char *expected;
     } cases[] = {{140280.0, 4, "140300"},
                  {12960.0, 4, "12960"},
                  {4152.50247, 5, "4152.5"},
@@ -179,7 +179,7 @@ static void numbers(void **state) {
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char text[32];
         number_shown(cases[i].number, cases[i].digits, text, sizeof text);
-        assert_string_equal(text, cases[i].told);
+        assert_string_equal(text, cases[i].expected);
     }
 }
 
@@ -264,7 +264,7 @@ static void sheets_of_one_name(void **state) {
 }
 
 /// After a failure of memory nothing is added or written.
-static void memory_is_lacking(void **state) {
+static void after_a_failure_of_memory(void **state) {
     (void)state;
     made own = made_in("");
     whirl_sheet *sheet = sheet_of(&own, "sheet");
@@ -360,7 +360,7 @@ static const whirl_sheet *lines_sheet(made *own, const char *name) {
     return NULL;
 }
 
-static bool is_told(const made *own, const char *expected) {
+static bool is_reported(const made *own, const char *expected) {
     for (size_t i = 0; i < own->findings->statement_count; i++) {
         char text[STATEMENT_SIZE];
         statement_text(&own->findings->statements[i], text, sizeof text);
@@ -390,9 +390,9 @@ static void lines_jump(void **state) {
         assert_true(edges->cells[2].number == 8.0 && edges->cells[6].number == 5.0 && edges->cells[10].number == 3.0);
         assert_string_equal(edges->cells[3].text, "at once");
         assert_string_equal(edges->cells[7].text, "at once");
-        assert_true(is_told(&own,
-                            "line of order 0.5: begins at once at 8 on the way up; ends at once at 5 on the way down: "
-                            "hysteresis of 3"));
+        assert_true(is_reported(
+            &own, "line of order 0.5: begins at once at 8 on the way up; ends at once at 5 on the way down: "
+                  "hysteresis of 3"));
         assert_non_null(locking);
         assert_int_equal(locking->rows, 2);
         assert_string_equal(locking->cells[0].text, "1/2");
@@ -553,7 +553,7 @@ int main(void) {
         cmocka_unit_test(letters),
         cmocka_unit_test(transposed),
         cmocka_unit_test(sheets_of_one_name),
-        cmocka_unit_test(memory_is_lacking),
+        cmocka_unit_test(after_a_failure_of_memory),
         cmocka_unit_test(customary_units),
         cmocka_unit_test(lines_jump),
         cmocka_unit_test(lines_grow),

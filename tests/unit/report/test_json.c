@@ -202,9 +202,8 @@ static void contact_is_true_or_false(void **state) {
     assert_true(json_is_true(member(point_of(f, 1), "rub/contact")));
 }
 
-// Latin-1 in a title must not spoil the document.
 /// The six P-1 points of the sweep move by 0.001 from one to the next, but by 0.3 from the third to the fourth.
-static void jumps_are_told(void **state) {
+static void jumps_are_reported(void **state) {
     fixture *f = *state;
     whirl_result_free(f->made);
     f->made = sample_result();
@@ -227,6 +226,7 @@ static void jumps_are_told(void **state) {
     assert_true(fabs(json_real_value(member(jump, "usual")) - 0.001 / 0.6) < 1e-12);
 }
 
+/// A byte that is not UTF-8 becomes a question mark.
 static void texts_become_utf8(void **state) {
     fixture *f = *state;
     strcpy(f->made->title, "r\xf6tor");
@@ -255,7 +255,7 @@ int main(void) {
         WITH_RESULT(spectra_have_directions),
         WITH_RESULT(missing_numbers_are_null),
         WITH_RESULT(contact_is_true_or_false),
-        WITH_RESULT(jumps_are_told),
+        WITH_RESULT(jumps_are_reported),
         WITH_RESULT(texts_become_utf8),
         WITH_RESULT(a_stream_that_fails_is_an_error),
     };

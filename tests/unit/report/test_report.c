@@ -35,7 +35,7 @@ static int remove_one(const char *path, const struct stat *found, int type, stru
     return remove(path);
 }
 
-static int leave_folder(void **state) {
+static int remove_folder(void **state) {
     const int left = chdir("/");
     return left == 0 ? nftw(*state, remove_one, 8, FTW_DEPTH | FTW_PHYS) : -1;
 }
@@ -56,7 +56,7 @@ static char *contents(const char *path) {
     return text;
 }
 
-static void assert_holds(const char *path, const char *part) {
+static void assert_contains_text(const char *path, const char *part) {
     char *text = contents(path);
     if (!strstr(text, part)) fail_msg("'%s' is not in %s", part, path);
     free(text);
@@ -149,15 +149,15 @@ static void everything_is_written(void **state) {
         snprintf(path, sizeof path, "out/made/%s.pdf", stems[i]);
         assert_true(size_of(path) > 1000 && size_of(path) < 3000000);
         snprintf(path, sizeof path, "out/made/%s.gp", stems[i]);
-        assert_holds(path, "pdfcairo");
+        assert_contains_text(path, "pdfcairo");
         snprintf(path, sizeof path, "out/made/%s.gp.log", stems[i]); // gnuplot had nothing to say
         assert_int_equal(size_of(path), -1);
     }
-    assert_holds("out/report.html", "src=\"made/r_k-0.25-journal.png\"");
-    assert_holds("out/report.html", "P-1 &lt;b&gt;");
-    assert_holds("out/report.html", "What was not reproduced");
-    assert_holds("out/report.html", "No result fully meets 1 of the 2 claims.");
-    assert_holds("out/report.html", "chaotic at 18.2 % of 11 points"); // 2 of 11
+    assert_contains_text("out/report.html", "src=\"made/r_k-0.25-journal.png\"");
+    assert_contains_text("out/report.html", "P-1 &lt;b&gt;");
+    assert_contains_text("out/report.html", "What was not reproduced");
+    assert_contains_text("out/report.html", "No result fully meets 1 of the 2 claims.");
+    assert_contains_text("out/report.html", "chaotic at 18.2 % of 11 points"); // 2 of 11
     whirl_result_free(result);
 }
 
@@ -167,15 +167,15 @@ static void gaps_are_shown_where_they_are(void **state) {
     whirl_result *result = sample_result();
     const whirl_report_options options = {.gnuplot = "no-such-gnuplot"};
     assert_int_equal(report_one(result, "made", &options).code, WHIRL_MISSING_PROGRAM);
-    assert_holds("out/made/bifurcation-disc.gp", "set label 'gap'");
-    assert_holds("out/made/bifurcation-disc.dat", " 1.2\n");
+    assert_contains_text("out/made/bifurcation-disc.gp", "set label 'gap'");
+    assert_contains_text("out/made/bifurcation-disc.dat", " 1.2\n");
     assert_lacks("out/made/bifurcation-journal.gp", "'gap'");
-    assert_holds("out/report.html", "disc (stator at 1.2 c)");
-    assert_holds("out/report.html", "radius / gap");
+    assert_contains_text("out/report.html", "disc (stator at 1.2 c)");
+    assert_contains_text("out/report.html", "radius / gap");
     const double *radius = whirl_table_field(&result->tables[1], 0, "orbit/max_radius", 0);
     char ratio[32];
     snprintf(ratio, sizeof ratio, ">%.4f<", *radius / 1.2);
-    assert_holds("out/report.html", ratio);
+    assert_contains_text("out/report.html", ratio);
     for (size_t s = 0; s < 2; s++) result->stations[s].gap = 0.0;
     assert_int_equal(report_one(result, "made", &options).code, WHIRL_MISSING_PROGRAM);
     assert_lacks("out/made/bifurcation-disc.gp", "'gap'");
@@ -223,8 +223,8 @@ static void partial_results_say_so(void **state) {
     for (size_t i = 4 * sweep->layout.size; i < sweep->count * sweep->layout.size; i++) sweep->blocks[i] = (double)NAN;
     result->tables[1].done = sample_take(2, 1);
     assert_int_equal(report_one(result, "made", &options).code, WHIRL_MISSING_PROGRAM);
-    assert_holds("out/report.html", "when 4 of 13 points were done");
-    assert_holds("out/report.html", "P-1 from 1 to 0.7");
+    assert_contains_text("out/report.html", "when 4 of 13 points were done");
+    assert_contains_text("out/report.html", "P-1 from 1 to 0.7");
     assert_lacks("out/made/bifurcation-disc.gp", "undetermined'");
     assert_int_equal(size_of("out/made/r_k-0.6-disc.gp"), -1);
     whirl_result_free(result);
@@ -254,8 +254,8 @@ static void confidence_is_shown(void **state) {
     assert_point(panel_of(figure, "radius"), WHIRL_LINE, "#0072B2", 0.8, 0.8);
     assert_point(panel_of(figure, "contact"), WHIRL_LINE, "#0072B2", 0.1, 4.0);
     whirl_figure_free(figure);
-    assert_holds("out/report.html", "<td>high</td><td>P-3</td>");
-    assert_holds("out/report.html", "<td>let it run 2 times as long</td>");
+    assert_contains_text("out/report.html", "<td>high</td><td>P-3</td>");
+    assert_contains_text("out/report.html", "<td>let it run 2 times as long</td>");
     whirl_result_free(result);
 }
 
@@ -279,8 +279,8 @@ static void exponents_are_listed_with_their_sum(void **state) {
     rename_field(result, "lyapunov/error", "exponents/sum_exact", -0.12345);
     rename_field(result, "regime/recurrence_trend", "exponents/dimension", 1.5);
     assert_int_equal(report_one(result, "made", &options).code, WHIRL_MISSING_PROGRAM);
-    assert_holds("out/report.html", "<td>-0.1234 \u00b1 0.0020</td><td class=\"number\">-0.1234</td>"
-                                    "<td class=\"number\">-0.12345</td><td class=\"number\">1.5</td>");
+    assert_contains_text("out/report.html", "<td>-0.1234 \u00b1 0.0020</td><td class=\"number\">-0.1234</td>"
+                                            "<td class=\"number\">-0.12345</td><td class=\"number\">1.5</td>");
     whirl_result_free(result);
 }
 
@@ -353,12 +353,12 @@ static void missing_gnuplot_leaves_scripts_and_page(void **state) {
     assert_non_null(strstr(status.message, "no-such-gnuplot"));
     assert_true(size_of("out/made/bifurcation-disc.gp") > 0);
     assert_true(size_of("out/made/r_k-0.25-journal.dat") > 0);
-    assert_holds("out/report.html", "was not drawn");
+    assert_contains_text("out/report.html", "was not drawn");
     assert_int_equal(report_one(result, "made", &by_path).code, WHIRL_MISSING_PROGRAM);
     whirl_result_free(result);
 }
 
-static void failing_gnuplot_is_told(void **state) {
+static void failing_gnuplot_is_reported(void **state) {
     (void)state;
     whirl_result *result = sample_result();
     const whirl_report_options options = {.gnuplot = "false"};
@@ -370,7 +370,7 @@ static void failing_gnuplot_is_told(void **state) {
 }
 
 /// A sweep of regimes alone, in which one point diverged, without contacts, has a report.
-static void what_is_absent_is_left_out(void **state) {
+static void absent_numbers_are_left_out(void **state) {
     (void)state;
     whirl_result *result = sample_result();
     whirl_table *detail = &result->tables[1];
@@ -387,10 +387,10 @@ static void what_is_absent_is_left_out(void **state) {
     assert_int_equal(size_of("out/made/r_k-0.6-disc.gp"), -1); // nothing to draw of a motion that left its bounds
     assert_true(size_of("out/made/r_k-0.25-disc.gp") > 0);
     assert_lacks("out/made/r_k-0.25-disc.gp", "panel spectrum");
-    assert_holds("out/report.html", "diverged at revolution 17");
+    assert_contains_text("out/report.html", "diverged at revolution 17");
     result->table_count = 0; // frees of the tables are skipped: they are given back below
     assert_true(report_one(result, "empty", NULL).code == WHIRL_OK || !gnuplot_there());
-    assert_holds("out/report.html", "A rotor made by hand");
+    assert_contains_text("out/report.html", "A rotor made by hand");
     result->table_count = 2;
     whirl_result_free(result);
 }
@@ -410,19 +410,19 @@ static void results_of_one_name_keep_apart(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(everything_is_written, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(gaps_are_shown_where_they_are, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(stators_near_the_orbit_are_drawn, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(partial_results_say_so, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(confidence_is_shown, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(exponents_are_listed_with_their_sum, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(curves_break_where_points_are_missing, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(figures_can_be_drawn_again, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(hostile_names_do_nothing, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(missing_gnuplot_leaves_scripts_and_page, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(failing_gnuplot_is_told, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(what_is_absent_is_left_out, enter_folder, leave_folder),
-        cmocka_unit_test_setup_teardown(results_of_one_name_keep_apart, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(everything_is_written, enter_folder, remove_folder),
+        cmocka_unit_test_setup_teardown(gaps_are_shown_where_they_are, enter_folder, remove_folder),
+        cmocka_unit_test_setup_teardown(stators_near_the_orbit_are_drawn, enter_folder, remove_folder),
+        cmocka_unit_test_setup_teardown(partial_results_say_so, enter_folder, remove_folder),
+        cmocka_unit_test_setup_teardown(confidence_is_shown, enter_folder, remove_folder),
+        cmocka_unit_test_setup_teardown(exponents_are_listed_with_their_sum, enter_folder, remove_folder),
+        cmocka_unit_test_setup_teardown(curves_break_where_points_are_missing, enter_folder, remove_folder),
+        cmocka_unit_test_setup_teardown(figures_can_be_drawn_again, enter_folder, remove_folder),
+        cmocka_unit_test_setup_teardown(hostile_names_do_nothing, enter_folder, remove_folder),
+        cmocka_unit_test_setup_teardown(missing_gnuplot_leaves_scripts_and_page, enter_folder, remove_folder),
+        cmocka_unit_test_setup_teardown(failing_gnuplot_is_reported, enter_folder, remove_folder),
+        cmocka_unit_test_setup_teardown(absent_numbers_are_left_out, enter_folder, remove_folder),
+        cmocka_unit_test_setup_teardown(results_of_one_name_keep_apart, enter_folder, remove_folder),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,4 @@
-// Units of figures: what is asked for, what the result asks for, and what its case has; and how symbols are set.
+// Units of figures: chosen by the command, by the result, or by its case; and how symbols are set.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -56,7 +56,7 @@ static void lengths(void **state) {
 }
 
 /// The units of the command replace those of the result, kind by kind; a word of a file that is no unit has no effect.
-static void who_asks(void **state) {
+static void units_of_command_and_result(void **state) {
     (void)state;
     whirl_result *result = sample_result();
     assert_int_equal(whirl_result_add_fact(result, "units", "um, Hz").code, WHIRL_OK);
@@ -96,8 +96,8 @@ static void parameters(void **state) {
     whirl_result_free(result);
 }
 
-/// A parameter is shown in the unit that is chosen for its kind, by the factors of NIST SP 811. Without a choice, and
-/// for temperatures, which have no factor, it is shown as the case writes it.
+/// A parameter is shown in the unit that is chosen for its kind, by the factors of NIST SP 811. Without a choice
+/// it is shown as the case writes it; temperatures, whose units differ by an offset, too, are shown in K.
 static void parameters_in_chosen_units(void **state) {
     static const struct {
         const char *si, *written, *unit;
@@ -144,7 +144,7 @@ static void parameters_in_chosen_units(void **state) {
 /// The weight of a machine in inches: 9.80665 / 0.0254 in/s2, once or twice in a sentence; words stay as they are.
 static void weight_in_chosen_units(void **state) {
     static const struct {
-        const char *fact, *units, *told;
+        const char *fact, *units, *expected;
     } weights[] = {{"9.80665 m/s2 across the shafts", "", "9.80665 m/s2 across the shafts"},
                    {"9.80665 m/s2 across the shafts", "US", "386.089 in/s2 across the shafts"},
                    {"8.49281 m/s2 along the shafts, which lean, and 4.90332 m/s2 across", "US",
@@ -157,7 +157,7 @@ static void weight_in_chosen_units(void **state) {
         assert_int_equal(whirl_result_add_fact(result, "weight", weights[i].fact).code, WHIRL_OK);
         const whirl_shown_units units = units_for(result, weights[i].units);
         whirl_shown_sentence(&units, weights[i].fact, text, sizeof text);
-        assert_string_equal(text, weights[i].told);
+        assert_string_equal(text, weights[i].expected);
         whirl_shown_sentence(&units, weights[i].fact, text, 8); // what does not fit is cut
         assert_true(strlen(text) < 8);
         whirl_result_free(result);
@@ -283,7 +283,7 @@ static void symbols_are_in_italics(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(lengths),
-        cmocka_unit_test(who_asks),
+        cmocka_unit_test(units_of_command_and_result),
         cmocka_unit_test(parameters),
         cmocka_unit_test(parameters_in_chosen_units),
         cmocka_unit_test(weight_in_chosen_units),

@@ -110,7 +110,7 @@ static void the_trace_is_that_of_the_jacobian(void **state) {
     }
 }
 
-/// Rotors whose masses couple in the same way go side by side, others do not.
+/// Rotors whose masses couple in the same way can share an ensemble, others cannot.
 static void lanes_share_a_coupling(void **state) {
     whirl_rotor *one = rotor_of(false), *same = rotor_of(false);
     whirl_design *design;

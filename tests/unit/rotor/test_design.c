@@ -1,4 +1,4 @@
-// Designs refuse what is no machine, each time with a sentence that names what was found.
+// Designs refuse impossible machines, each with a sentence that names the value found.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -55,7 +55,7 @@ static void test_stations(void **state) {
 
 /// A crack or a shaft between two places of one shaft of finite elements would only add to its stiffness: it is
 /// refused.
-static void test_shaft_beside_segments(void **state) {
+static void test_shaft_parallel_to_segments(void **state) {
     static const char *const elements[] = {"crack", "shaft"};
     (void)state;
     for (int i = 0; i < 4; i++) {
@@ -74,7 +74,8 @@ static void test_shaft_beside_segments(void **state) {
             WHIRL_OK);
         assert_int_equal(whirl_design_element(design, elements[i % 2], own, crack ? 3 : 2).code, WHIRL_OK);
         if (apart)
-            assert_int_equal(whirl_rotor_new(design, &rotor).code, WHIRL_OK); // from shaft to a disc beside it
+            assert_int_equal(whirl_rotor_new(design, &rotor).code,
+                             WHIRL_OK); // from the shaft to a disc that is not on it
         else
             refused(whirl_rotor_new(design, &rotor), "parallel to the segments that join 'a' and 'b'");
         if (apart) whirl_rotor_free(rotor);
@@ -230,7 +231,7 @@ static void test_contradictions(void **state) {
     }
 }
 
-static void test_nothing_is_no_rotor(void **state) {
+static void test_empty_designs_are_refused(void **state) {
     whirl_design *design;
     whirl_rotor *rotor;
     (void)state;
@@ -268,12 +269,12 @@ int main(void) {
         cmocka_unit_test(test_frame),
         cmocka_unit_test(test_stations),
         cmocka_unit_test(test_inertia),
-        cmocka_unit_test(test_shaft_beside_segments),
+        cmocka_unit_test(test_shaft_parallel_to_segments),
         cmocka_unit_test(test_elements),
         cmocka_unit_test(test_contradictions),
         cmocka_unit_test(test_own_types),
         cmocka_unit_test(test_own_types_too_large),
-        cmocka_unit_test(test_nothing_is_no_rotor),
+        cmocka_unit_test(test_empty_designs_are_refused),
         cmocka_unit_test(test_descriptors_are_sound),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,4 +1,4 @@
-// Values that a law is not for, or that no such part has: what each element doubts, and what it does not.
+// Values outside the range of a law, or of any such part: the warnings of each element, and valid values without one.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -18,7 +18,7 @@ typedef struct example {
     const char *doubted;
 } example;
 
-static void note(void *context, size_t element, const char *key, const char *sentence) {
+static void collect_key(void *context, size_t element, const char *key, const char *sentence) {
     char *const keys = context;
     assert_int_equal(element, 0);
     assert_true(strncmp(sentence, "is ", 3) == 0);
@@ -36,7 +36,7 @@ static void check(const example *of) {
     assert_int_equal(whirl_design_station(design, "ring", &mass, 1).code, WHIRL_OK);
     const whirl_status added = whirl_design_element(design, of->kind, of->values, count);
     if (added.code != WHIRL_OK) fail_msg("%s", added.message);
-    whirl_design_doubts(design, note, doubted);
+    whirl_design_doubts(design, collect_key, doubted);
     if (strcmp(doubted, of->doubted) != 0) fail_msg("%s doubts '%s', expected '%s'", of->kind, doubted, of->doubted);
     whirl_design_free(design);
 }

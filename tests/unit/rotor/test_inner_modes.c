@@ -1,5 +1,4 @@
-// Shafts whose modes are remembered: what comes back is what was kept, to the bit, of the same numbers only; and the
-// memory that it takes has a bound.
+// The cache of modes of shafts: a solution comes back to the bit, for the same numbers only; and its memory is bounded.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -12,11 +11,11 @@
 
 #include "inner_modes.h"
 
-enum { INNER = 30, KEPT = 4, SQUARE = INNER * INNER, BESIDE = INNER * KEPT };
+enum { INNER = 30, KEPT = 4, SQUARE = INNER * INNER, INNER_KEPT = INNER * KEPT };
 
 /// A problem with room for its solution.
 typedef struct problem {
-    double k[SQUARE], m[SQUARE], follow[BESIDE], squares[INNER], shapes[SQUARE];
+    double k[SQUARE], m[SQUARE], follow[INNER_KEPT], squares[INNER], shapes[SQUARE];
 } problem;
 
 static inner_modes of(problem *p) {
@@ -26,12 +25,12 @@ static inner_modes of(problem *p) {
 /// Fills a problem that `number` identifies, with an arbitrary solution.
 static void fill(problem *p, double number, bool solved) {
     for (size_t i = 0; i < SQUARE; i++) p->k[i] = number + (double)i, p->m[i] = 1.0 / (1.0 + (double)i);
-    for (size_t i = 0; i < BESIDE; i++) p->follow[i] = solved ? sqrt(number + (double)i) : -(double)i;
+    for (size_t i = 0; i < INNER_KEPT; i++) p->follow[i] = solved ? sqrt(number + (double)i) : -(double)i;
     for (size_t i = 0; i < INNER; i++) p->squares[i] = solved ? number / (1.0 + (double)i) : NAN;
     for (size_t i = 0; i < SQUARE; i++) p->shapes[i] = solved ? number * (double)i / 3.0 : NAN;
 }
 
-static void keep(double number) {
+static void cache(double number) {
     problem asked, solved;
     fill(&asked, number, false);
     fill(&solved, number, true);
@@ -47,12 +46,12 @@ static bool recall(double number, problem *out) {
     return inner_modes_recall(&all);
 }
 
-static void what_is_kept_comes_back(void **state) {
+static void solutions_come_from_the_cache(void **state) {
     problem found, right;
     (void)state;
-    keep(1.0);
-    keep(2.0);
-    keep(2.0); // as two threads may
+    cache(1.0);
+    cache(2.0);
+    cache(2.0); // as two threads may
     for (double number = 1.0; number < 3.0; number++) {
         assert_true(recall(number, &found));
         fill(&right, number, true);
@@ -63,9 +62,9 @@ static void what_is_kept_comes_back(void **state) {
 static void other_numbers_do_not(void **state) {
     problem p;
     (void)state;
-    keep(1.0);
+    cache(1.0);
     double *const parts[] = {p.k, p.m, p.follow};
-    const size_t counts[] = {SQUARE, SQUARE, BESIDE};
+    const size_t counts[] = {SQUARE, SQUARE, INNER_KEPT};
     for (size_t part = 0; part < 3; part++)
         for (size_t i = 0; i < counts[part]; i += 7) {
             fill(&p, 1.0, false);
@@ -83,14 +82,14 @@ static void the_oldest_is_forgotten(void **state) {
     problem found;
     size_t known = 0;
     (void)state;
-    for (int i = 100; i < 200; i++) keep(i);
+    for (int i = 100; i < 200; i++) cache(i);
     for (int i = 100; i < 200; i++) known += recall(i, &found);
     assert_int_equal(known, 16);
     assert_true(recall(199.0, &found));
     assert_false(recall(100.0, &found));
 }
 
-static void large_ones_are_not_kept(void **state) {
+static void large_problems_are_not_cached(void **state) {
     enum { LARGE = 2000 };
     double *numbers = calloc((size_t)LARGE * LARGE, sizeof *numbers);
     (void)state;
@@ -102,10 +101,10 @@ static void large_ones_are_not_kept(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_is_kept_comes_back),
+        cmocka_unit_test(solutions_come_from_the_cache),
         cmocka_unit_test(other_numbers_do_not),
         cmocka_unit_test(the_oldest_is_forgotten),
-        cmocka_unit_test(large_ones_are_not_kept),
+        cmocka_unit_test(large_problems_are_not_cached),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
-// The viscosity of films and dampers, dynamic or kinematic with the density, and what the density tells of the flow.
+// The viscosity of films and dampers, dynamic or kinematic with the density, and doubts about the flow that need the
+// density.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

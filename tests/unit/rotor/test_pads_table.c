@@ -1,4 +1,4 @@
-// The tables of pads beside the films themselves at random places, and how smooth they are.
+// The tables of pads, compared with the films themselves at random places, and how smooth they are.
 #include <dirent.h>
 #include <math.h>
 #include <pthread.h>
@@ -29,7 +29,7 @@ static double next(void) {
 }
 
 /// Looks S up in the table.
-static void look_up(double table, double t, double w, double half, double force[2]) {
+static void table_force(double table, double t, double w, double half, double force[2]) {
     pads_entry entry;
     pads_enter(table, t, w, half, false, &entry);
     pads_read(&entry, force);
@@ -42,7 +42,7 @@ static void look(double table, const pad_place *at, double arc, double force[2])
     const double v = at->y / most, w = v / (1.0 + sqrt(1.0 - v * v));
     vec V, half, over;
     pads_polar(at->a, at->b, &V, &half, &over);
-    look_up(table, sqrt(thickness), w, half, force);
+    table_force(table, sqrt(thickness), w, half, force);
     for (int n = 0; n < 2; n++) force[n] *= V / ((1.0 - v * v) * thickness * thickness);
 }
 
@@ -119,7 +119,7 @@ static void test_smooth(void **state) {
         for (int k = 0; k < 7; k++) {
             double at[] = {0.8, 0.1, 0.5};
             at[along] = node[along] + step * (k - 3);
-            look_up(table, at[0], at[1], 0.5 * at[2], force[k]);
+            table_force(table, at[0], at[1], 0.5 * at[2], force[k]);
         }
         for (int n = 0; n < 2; n++) {
             const double before = force[0][n] - 2.0 * force[1][n] + force[2][n];
@@ -140,7 +140,7 @@ static void own_cache(char folder[64]) {
 
 static const pad_table_key cheap = {.arc = 0.5, .ratio = 0.2, .law = CAVITATION_GUMBEL};
 
-static void *hold(void *table) {
+static void *make_table(void *table) {
     assert_int_equal(pad_table_hold(*(double *)table, NULL).code, WHIRL_OK);
     return NULL;
 }
@@ -159,7 +159,7 @@ static void test_together(void **state) {
     assert_int_equal(pad_table_number(&cheap, &table).code, WHIRL_OK);
     assert_int_equal(pad_table_hold(table, &stop).code, WHIRL_STOPPED);
     assert_false(pad_table_file_is_there(&cheap));
-    for (size_t i = 0; i < 3; i++) assert_int_equal(pthread_create(&threads[i], NULL, hold, &table), 0);
+    for (size_t i = 0; i < 3; i++) assert_int_equal(pthread_create(&threads[i], NULL, make_table, &table), 0);
     for (size_t i = 0; i < 3; i++) pthread_join(threads[i], NULL);
     assert_true(pad_table_file_is_there(&cheap));
     pad_table *alone = pad_table_empty();

@@ -74,7 +74,7 @@ static void the_gap_is_where_contact_begins(void **state) {
 }
 
 /// Stations of shafts of finite elements have positions, others have none.
-static void places_on_shafts_are_told(void **state) {
+static void stations_of_shafts_have_positions(void **state) {
     (void)state;
     const whirl_setting mass = {"mass", 2, NULL};
     const whirl_setting ends[] = {{"shaft", 0, "inner"}, {"position", 0.2, NULL}};
@@ -104,6 +104,6 @@ static void places_on_shafts_are_told(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(the_narrowest_counts),
                                        cmocka_unit_test(the_gap_is_where_contact_begins),
-                                       cmocka_unit_test(places_on_shafts_are_told)};
+                                       cmocka_unit_test(stations_of_shafts_have_positions)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

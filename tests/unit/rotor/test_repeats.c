@@ -1,4 +1,4 @@
-// After how many revolutions phases come back.
+// The number of revolutions after which phases repeat.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -29,7 +29,7 @@ static void ratios(void **unused) {
         }
     assert_int_equal(repeats_of(1.0 / (WHIRL_MAX_REPEATS + 1)), 0);
     assert_int_equal(repeats_of(sqrt(2.0)), 0);
-    // 50 Hz beside 1800 rpm and beside 1530 rpm.
+    // 50 Hz with 1800 rpm and with 1530 rpm.
     assert_int_equal(repeats_of(50.0 * 6.283185307179586476925 / (1800.0 * 6.283185307179586476925 / 60.0)), 3);
     assert_int_equal(repeats_of(50.0 * 6.283185307179586476925 / (1530.0 * 6.283185307179586476925 / 60.0)), 51);
 }

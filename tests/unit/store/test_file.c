@@ -393,12 +393,12 @@ static void flip_bits(fixture *f, size_t step) {
     assert_true(refused > tried / 4);
 }
 
-static void few_flipped_bits_are_seen(void **state) {
+static void few_flipped_bits_are_found(void **state) {
     flip_bits(*state, 131);
 }
 
 /// WHIRL_TEST_EVERY=1 tries all bytes.
-static void no_flipped_bit_goes_unseen(void **state) {
+static void every_flipped_bit_is_found(void **state) {
     const char *every = getenv("WHIRL_TEST_EVERY");
     flip_bits(*state, every ? (size_t)strtol(every, NULL, 10) : 13);
 }
@@ -590,8 +590,8 @@ int main(void) {
         IN_FOLDER(says_what_it_cannot_read),
         IN_FOLDER(refuses_other_hdf5_files),
         IN_FOLDER(refuses_every_truncation),
-        IN_FOLDER(few_flipped_bits_are_seen),
-        IN_FOLDER(no_flipped_bit_goes_unseen),
+        IN_FOLDER(few_flipped_bits_are_found),
+        IN_FOLDER(every_flipped_bit_is_found),
         IN_FOLDER(refuses_claims),
         IN_FOLDER(refuses_impossible_points),
         IN_FOLDER(words_are_plain_when_they_are_read),

@@ -1,4 +1,4 @@
-// Journals: what was kept comes back to the bit or not at all, whatever has become of the file.
+// Journals: a written point comes back to the bit or not at all, whatever happens to the file.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -15,7 +15,7 @@
 #include "crc32c.h"
 #include "expect.h"
 #include "journal_frame.h"
-#include "kept.h"
+#include "journal_points.h"
 #include "whole.h"
 
 typedef struct fixture {
@@ -56,7 +56,7 @@ static void make(const fixture *f, size_t count) {
     whirl_journal *journal;
     remove(f->path);
     check(whirl_journal_begin(f->path, f->outline, &journal));
-    for (size_t i = 0; i < count; ++i) check(kept_keep(journal, i));
+    for (size_t i = 0; i < count; ++i) check(point_write(journal, i));
     assert_int_equal(whirl_journal_points(journal), count);
     check(whirl_journal_close(journal));
 }
@@ -83,24 +83,24 @@ static void checksums_are_those_of_the_standard(void **state) {
     assert_int_equal(crc32c(0, "123456789", 9), 0xe3069283);
 }
 
-static void kept_points_come_back(void **state) {
+static void written_points_are_recalled(void **state) {
     fixture *f = *state;
     whirl_journal *journal;
     check(whirl_journal_begin(f->path, f->outline, &journal));
-    assert_int_equal(kept_count(journal), 0);
-    check(kept_keep(journal, 3));
-    check(kept_keep(journal, 1));
+    assert_int_equal(count_recalled(journal), 0);
+    check(point_write(journal, 3));
+    check(point_write(journal, 1));
     check(whirl_journal_close(journal));
     journal = resumed(f);
     const whirl_journal_found found = whirl_journal_look(journal);
     assert_true(found.points == 2 && found.damaged == 0 && !found.torn);
-    assert_true(!kept_recall(journal, 0) && kept_recall(journal, 1) && !kept_recall(journal, 2));
-    assert_true(kept_recall(journal, 3));
-    check(kept_keep(journal, 0));
-    check(kept_keep(journal, 2));
+    assert_true(!point_recall(journal, 0) && point_recall(journal, 1) && !point_recall(journal, 2));
+    assert_true(point_recall(journal, 3));
+    check(point_write(journal, 0));
+    check(point_write(journal, 2));
     check(whirl_journal_close(journal));
     journal = resumed(f);
-    assert_int_equal(kept_count(journal), KEPT_POINTS);
+    assert_int_equal(count_recalled(journal), JOURNAL_POINTS);
     check(whirl_journal_remove(journal));
     assert_int_not_equal(access(f->path, F_OK), 0);
 }
@@ -189,14 +189,14 @@ static void states_of_other_runs_are_not_taken(void **state) {
 
 static void blocks_of_another_size_are_not_taken(void **state) {
     fixture *f = *state;
-    double block[KEPT_SIZE + 1], end[KEPT_DIMENSION];
+    double block[BLOCK_SIZE + 1], end[STATE_SIZE];
     make(f, 2);
     whirl_journal *journal = resumed(f);
     const whirl_point_store *store = whirl_journal_store(journal);
-    assert_false(store->recall(store->context, 0, 1, block, KEPT_SIZE + 1, end, KEPT_DIMENSION));
-    assert_false(store->recall(store->context, 0, 1, block, KEPT_SIZE - 1, end, KEPT_DIMENSION));
-    assert_false(store->recall(store->context, 0, 99, block, KEPT_SIZE, end, KEPT_DIMENSION));
-    assert_false(store->recall(store->context, 9, 0, block, KEPT_SIZE, end, KEPT_DIMENSION));
+    assert_false(store->recall(store->context, 0, 1, block, BLOCK_SIZE + 1, end, STATE_SIZE));
+    assert_false(store->recall(store->context, 0, 1, block, BLOCK_SIZE - 1, end, STATE_SIZE));
+    assert_false(store->recall(store->context, 0, 99, block, BLOCK_SIZE, end, STATE_SIZE));
+    assert_false(store->recall(store->context, 9, 0, block, BLOCK_SIZE, end, STATE_SIZE));
     assert_says(store->keep(store->context, 0, 99, block, 1, end, 1), WHIRL_BAD_INPUT, "no place for point 99");
     check(whirl_journal_close(journal));
 }
@@ -215,7 +215,7 @@ static void one_run_at_a_time(void **state) {
 
 /// The journal of a run that ended before its first point counts as vacant. One with points, with states or of another
 /// study does not.
-static void what_holds_nothing_is_vacant(void **state) {
+static void empty_journals_are_vacant(void **state) {
     const fixture *f = *state;
     whirl_journal *journal;
     check(whirl_journal_begin(f->path, f->outline, &journal));
@@ -285,7 +285,7 @@ static void differences_are_named(void **state) {
         check(whirl_journal_close(journal));
     unsetenv("WHIRL_ISA");
     journal = resumed(f);
-    assert_int_equal(kept_count(journal), 2);
+    assert_int_equal(count_recalled(journal), 2);
     check(whirl_journal_close(journal));
 }
 
@@ -296,16 +296,16 @@ static void frames_of_another_study_do_not_count(void **state) {
     make(f, 1);
     check(whole_file(f->path, &ours, &our_size));
     f->outline->parameters[1].value = 651.0; // an identity of the same length
-    make(f, KEPT_POINTS);
+    make(f, JOURNAL_POINTS);
     check(whole_file(f->path, &theirs, &their_size));
     f->outline->parameters[1].value = 650.0;
-    const size_t frame = frame_size(KEPT_SIZE, KEPT_DIMENSION), tail = their_size - KEPT_POINTS * frame;
+    const size_t frame = frame_size(BLOCK_SIZE, STATE_SIZE), tail = their_size - JOURNAL_POINTS * frame;
     assert_int_equal(our_size, tail + frame);
     // Our header and point, then theirs.
     memcpy(theirs, ours, our_size);
     set_bytes(f, theirs, their_size);
     whirl_journal *journal = resumed(f);
-    assert_int_equal(kept_count(journal), 1);
+    assert_int_equal(count_recalled(journal), 1);
     check(whirl_journal_close(journal));
     free(ours);
     free(theirs);
@@ -317,14 +317,14 @@ static void frames_of_another_study_do_not_count(void **state) {
 static int go_on(const fixture *f) {
     whirl_journal *journal = resumed(f);
     int known = 0;
-    for (size_t i = 0; i < KEPT_POINTS; ++i) {
-        const int one = kept_recall(journal, i);
-        if (!one) check(kept_keep(journal, i));
+    for (size_t i = 0; i < JOURNAL_POINTS; ++i) {
+        const int one = point_recall(journal, i);
+        if (!one) check(point_write(journal, i));
         known += one;
     }
     check(whirl_journal_close(journal));
     journal = resumed(f);
-    assert_int_equal(kept_count(journal), KEPT_POINTS);
+    assert_int_equal(count_recalled(journal), JOURNAL_POINTS);
     check(whirl_journal_close(journal));
     return known;
 }
@@ -334,9 +334,9 @@ static void every_cut_loses_no_whole_point(void **state) {
     fixture *f = *state;
     unsigned char *bytes;
     size_t size;
-    make(f, KEPT_POINTS);
+    make(f, JOURNAL_POINTS);
     check(whole_file(f->path, &bytes, &size));
-    const size_t frame = frame_size(KEPT_SIZE, KEPT_DIMENSION), header = size - KEPT_POINTS * frame;
+    const size_t frame = frame_size(BLOCK_SIZE, STATE_SIZE), header = size - JOURNAL_POINTS * frame;
     for (size_t cut = 0; cut <= size; ++cut) {
         set_bytes(f, bytes, cut);
         whirl_journal *journal = resumed(f);
@@ -356,9 +356,9 @@ static void every_flipped_byte_costs_one_point_at_most(void **state) {
     fixture *f = *state;
     unsigned char *bytes;
     size_t size;
-    make(f, KEPT_POINTS);
+    make(f, JOURNAL_POINTS);
     check(whole_file(f->path, &bytes, &size));
-    const size_t header = size - KEPT_POINTS * frame_size(KEPT_SIZE, KEPT_DIMENSION);
+    const size_t header = size - JOURNAL_POINTS * frame_size(BLOCK_SIZE, STATE_SIZE);
     for (size_t i = 0; i < size; ++i) {
         const unsigned char before = bytes[i];
         bytes[i] = (unsigned char)(before ^ (i % 9 == 8 ? 0xffu : 1u << i % 9));
@@ -366,7 +366,7 @@ static void every_flipped_byte_costs_one_point_at_most(void **state) {
         bytes[i] = before;
         whirl_journal *journal = resumed(f);
         const whirl_journal_found found = whirl_journal_look(journal);
-        assert_int_equal(found.points, i < header ? KEPT_POINTS : KEPT_POINTS - 1);
+        assert_int_equal(found.points, i < header ? JOURNAL_POINTS : JOURNAL_POINTS - 1);
         assert_true(found.damaged == 1 || found.torn);
         check(whirl_journal_close(journal));
         assert_int_equal(go_on(f), (int)found.points);
@@ -383,9 +383,9 @@ static void lost_stretches_cost_their_points_only(void **state) {
     fixture *f = *state;
     unsigned char *bytes;
     size_t size;
-    make(f, KEPT_POINTS);
+    make(f, JOURNAL_POINTS);
     check(whole_file(f->path, &bytes, &size));
-    const size_t frame = frame_size(KEPT_SIZE, KEPT_DIMENSION), header = size - KEPT_POINTS * frame;
+    const size_t frame = frame_size(BLOCK_SIZE, STATE_SIZE), header = size - JOURNAL_POINTS * frame;
     unsigned char *changed = malloc(size + 64);
     assert_non_null(changed);
     // The second frame is missing; some bytes are too many before the third.
@@ -416,15 +416,15 @@ static void lost_stretches_cost_their_points_only(void **state) {
 
 static void a_frame_that_changes_later_is_not_recalled(void **state) {
     fixture *f = *state;
-    make(f, KEPT_POINTS);
+    make(f, JOURNAL_POINTS);
     whirl_journal *journal = resumed(f);
     FILE *file = fopen(f->path, "r+b");
     assert_non_null(file);
     assert_int_equal(fseek(file, -20, SEEK_END), 0);
     assert_int_equal(fputc('x', file), 'x');
     assert_int_equal(fclose(file), 0);
-    assert_int_equal(kept_recall(journal, KEPT_POINTS - 1), 0);
-    assert_int_equal(kept_count(journal), KEPT_POINTS - 1);
+    assert_int_equal(point_recall(journal, JOURNAL_POINTS - 1), 0);
+    assert_int_equal(count_recalled(journal), JOURNAL_POINTS - 1);
     check(whirl_journal_close(journal));
 }
 
@@ -450,12 +450,12 @@ int main(void) {
 #define IN_FOLDER(test) cmocka_unit_test_setup_teardown(test, setup, teardown)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(checksums_are_those_of_the_standard),
-        IN_FOLDER(kept_points_come_back),
+        IN_FOLDER(written_points_are_recalled),
         IN_FOLDER(states_come_back),
         IN_FOLDER(states_of_other_runs_are_not_taken),
         IN_FOLDER(blocks_of_another_size_are_not_taken),
         IN_FOLDER(one_run_at_a_time),
-        IN_FOLDER(what_holds_nothing_is_vacant),
+        IN_FOLDER(empty_journals_are_vacant),
         IN_FOLDER(places_that_take_no_journal),
         IN_FOLDER(differences_are_named),
         IN_FOLDER(frames_of_another_study_do_not_count),

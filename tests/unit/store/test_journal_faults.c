@@ -1,5 +1,5 @@
-// Every call of the operating system fails in turn while a journal is kept and a result is written: what was
-// acknowledged is there afterwards, and no file is left that cannot be read.
+// Every call of the operating system fails in turn while a journal and a result are written: acknowledged points are
+// not lost, and no unreadable file remains.
 #define _GNU_SOURCE // fallocate
 #include <errno.h>
 #include <fcntl.h>
@@ -16,7 +16,7 @@
 
 #include <cmocka.h>
 
-#include "kept.h"
+#include "journal_points.h"
 #include "same.h"
 
 // ---------------------------------------------------------------- calls that fail on demand
@@ -147,10 +147,10 @@ static int teardown(void **state) {
     return failed;
 }
 
-/// Reports that a run got. `written` is verified, too: the file has every number of the result.
-typedef struct told {
-    bool begun, kept[KEPT_POINTS], closed, written, removed;
-} told;
+/// The steps that a run completed. `written` includes a verification: the file has every number of the result.
+typedef struct run_steps {
+    bool begun, acknowledged[JOURNAL_POINTS], closed, written, removed;
+} run_steps;
 
 static bool well(whirl_status status) {
     if (status.code != WHIRL_OK && !status.message[0]) fail_msg("an error without a sentence");
@@ -158,8 +158,8 @@ static bool well(whirl_status status) {
 }
 
 /// Begins or continues a journal, writes the points that it lacks, and ends as `whirl run` does; an error ends the run.
-static told run(const fixture *f) {
-    told t = {0};
+static run_steps run(const fixture *f) {
+    run_steps t = {0};
     whirl_journal *journal;
     const bool there = access(f->journal, F_OK) == 0;
     if (!well(there ? whirl_journal_resume(f->journal, f->made, &journal)
@@ -167,8 +167,8 @@ static told run(const fixture *f) {
         return t;
     t.begun = true;
     bool going = true;
-    for (size_t i = 0; i < KEPT_POINTS && going; ++i)
-        going = t.kept[i] = kept_recall(journal, i) || well(kept_keep(journal, i));
+    for (size_t i = 0; i < JOURNAL_POINTS && going; ++i)
+        going = t.acknowledged[i] = point_recall(journal, i) || well(point_write(journal, i));
     t.written = going && well(whirl_result_write(f->made, f->result)) && well(whirl_result_verify(f->made, f->result));
     if (t.written)
         t.removed = well(whirl_journal_remove(journal));
@@ -186,7 +186,7 @@ static void expect_whole_result(const fixture *f) {
 }
 
 /// Checks that no acknowledged point is lost, and that an existing result is whole.
-static void expect_safe(const fixture *f, const told *t) {
+static void expect_safe(const fixture *f, const run_steps *t) {
     whirl_journal *journal;
     if (access(f->result, F_OK) == 0) expect_whole_result(f);
     if (t->written) assert_int_equal(access(f->result, F_OK), 0);
@@ -196,8 +196,8 @@ static void expect_safe(const fixture *f, const told *t) {
     }
     const whirl_status status = whirl_journal_resume(f->journal, f->made, &journal);
     if (status.code != WHIRL_OK) fail_msg("%s", status.message);
-    for (size_t i = 0; i < KEPT_POINTS; ++i)
-        if (t->kept[i]) assert_int_equal(kept_recall(journal, i), 1);
+    for (size_t i = 0; i < JOURNAL_POINTS; ++i)
+        if (t->acknowledged[i]) assert_int_equal(point_recall(journal, i), 1);
     assert_int_equal(whirl_journal_look(journal).damaged, 0);
     assert_int_equal(whirl_journal_close(journal).code, WHIRL_OK);
 }
@@ -222,7 +222,7 @@ static int stride(void) {
 }
 
 /// Checks the outcome: interruptions and short writes are no failures.
-static void expect_outcome(const told *t, int reason) {
+static void expect_outcome(const run_steps *t, int reason) {
     if (reason == SHORT_WRITE || reason == EINTR) assert_true(t->written && t->removed);
 }
 
@@ -233,12 +233,12 @@ static void every_call_fails_once(void **state) {
         for (bool struck = true; struck; failing += stride()) {
             clean(f);
             arm(failing, numbers[kind], false);
-            const told t = run(f);
+            const run_steps t = run(f);
             struck = fault.calls > failing;
             disarm();
             expect_outcome(&t, numbers[kind]);
             expect_safe(f, &t);
-            const told again = run(f);
+            const run_steps again = run(f);
             assert_true(again.written && again.removed);
         }
         printf("%s: %d calls\n", reasons[kind], failing - stride());
@@ -254,11 +254,11 @@ static void every_call_and_all_later_ones_fail(void **state) {
         for (bool struck = true; struck; failing += stride()) {
             clean(f);
             arm(failing, numbers[kind], true);
-            const told t = run(f);
+            const run_steps t = run(f);
             struck = fault.calls > failing;
             disarm();
             expect_safe(f, &t);
-            const told again = run(f);
+            const run_steps again = run(f);
             assert_true(again.written && again.removed);
         }
         assert_true(failing > 15);
@@ -274,19 +274,19 @@ static void every_call_fails_while_going_on(void **state) {
             whirl_journal *journal;
             clean(f);
             assert_true(well(whirl_journal_begin(f->journal, f->made, &journal)));
-            assert_true(well(kept_keep(journal, 0)) && well(kept_keep(journal, 2)));
+            assert_true(well(point_write(journal, 0)) && well(point_write(journal, 2)));
             assert_true(well(whirl_journal_close(journal)));
             // A torn frame that must be cut off.
             FILE *file = fopen(f->journal, "ab");
             assert_true(file && fputs("\xf7point\r\n and so on", file) >= 0 && fclose(file) == 0);
             arm(failing, numbers[kind], false);
-            told t = run(f);
+            run_steps t = run(f);
             struck = fault.calls > failing;
             disarm();
             expect_outcome(&t, numbers[kind]);
-            t.kept[0] = t.kept[2] = t.begun = true;
+            t.acknowledged[0] = t.acknowledged[2] = t.begun = true;
             expect_safe(f, &t);
-            const told again = run(f);
+            const run_steps again = run(f);
             assert_true(again.written && again.removed);
         }
         assert_true(failing > 15);
@@ -294,27 +294,27 @@ static void every_call_fails_while_going_on(void **state) {
 }
 
 /// A point that a full disk refused is written as soon as there is room, and so are the points after it.
-static void a_point_that_found_no_room_is_tried_again(void **state) {
+static void a_refused_point_is_written_again(void **state) {
     const fixture *f = *state;
     whirl_journal *journal;
     clean(f);
     assert_true(well(whirl_journal_begin(f->journal, f->made, &journal)));
-    assert_true(well(kept_keep(journal, 0)));
+    assert_true(well(point_write(journal, 0)));
     arm(0, ENOSPC, true);
-    const whirl_status full = kept_keep(journal, 1);
+    const whirl_status full = point_write(journal, 1);
     assert_int_equal(full.code, WHIRL_IO_ERROR);
     assert_non_null(strstr(full.message, "No space left"));
     assert_non_null(strstr(full.message, f->journal));
-    assert_int_equal(kept_keep(journal, 2).code, WHIRL_IO_ERROR);
+    assert_int_equal(point_write(journal, 2).code, WHIRL_IO_ERROR);
     assert_int_equal(whirl_journal_points(journal), 1);
     disarm();
     assert_true(well(whirl_journal_close(journal)));
     assert_true(well(whirl_journal_resume(f->journal, f->made, &journal)));
-    assert_int_equal(kept_count(journal), 3);
+    assert_int_equal(count_recalled(journal), 3);
     assert_true(well(whirl_journal_remove(journal)));
 }
 
-static void a_disk_without_room_is_met_before_the_run(void **state) {
+static void a_full_disk_is_found_before_the_run(void **state) {
     const fixture *f = *state;
     whirl_journal *journal;
     clean(f);
@@ -327,7 +327,7 @@ static void a_disk_without_room_is_met_before_the_run(void **state) {
 }
 
 /// Verifying sees any difference between the result and its file.
-static void a_file_that_differs_is_seen(void **state) {
+static void a_file_that_differs_is_found(void **state) {
     const fixture *f = *state;
     clean(f);
     assert_true(well(whirl_result_write(f->made, f->result)));
@@ -364,7 +364,7 @@ static void partial_results_are_written_and_read(void **state) {
     whirl_result *read;
     assert_true(well(whirl_result_read(f->result, &read)));
     assert_true(whirl_result_partial(read, &done, &total));
-    assert_true(done == 2 && total == KEPT_POINTS);
+    assert_true(done == 2 && total == JOURNAL_POINTS);
     assert_int_equal(read->tables[0].count, 1);
     assert_int_equal(whirl_table_slot(&read->tables[0], 0), 1);
     assert_true(whirl_table_done(&read->tables[0], 0) && whirl_table_done(&read->tables[1], 0));
@@ -385,9 +385,9 @@ int main(void) {
         IN_FOLDER(every_call_fails_once),
         IN_FOLDER(every_call_and_all_later_ones_fail),
         IN_FOLDER(every_call_fails_while_going_on),
-        IN_FOLDER(a_point_that_found_no_room_is_tried_again),
-        IN_FOLDER(a_disk_without_room_is_met_before_the_run),
-        IN_FOLDER(a_file_that_differs_is_seen),
+        IN_FOLDER(a_refused_point_is_written_again),
+        IN_FOLDER(a_full_disk_is_found_before_the_run),
+        IN_FOLDER(a_file_that_differs_is_found),
         IN_FOLDER(partial_results_are_written_and_read),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

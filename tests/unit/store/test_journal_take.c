@@ -1,4 +1,4 @@
-// Journals take from one another points to the bit, only those that they are for, and states of unfinished points.
+// A journal takes points from other journals to the bit: only points of its own study, and states of unfinished points.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -12,7 +12,7 @@
 #include <cmocka.h>
 
 #include "expect.h"
-#include "kept.h"
+#include "journal_points.h"
 #include "whole.h"
 
 typedef struct fixture {
@@ -51,7 +51,7 @@ static whirl_journal *begun(const fixture *f, const char *path) {
 /// Makes a closed journal of the points from `first` on.
 static void make_other(const fixture *f, size_t first, size_t end) {
     whirl_journal *journal = begun(f, f->other);
-    for (size_t i = first; i < end; ++i) check(kept_keep(journal, i));
+    for (size_t i = first; i < end; ++i) check(point_write(journal, i));
     check(whirl_journal_close(journal));
 }
 
@@ -59,15 +59,15 @@ static void points_are_taken_once(void **state) {
     const fixture *f = *state;
     unsigned char *bytes;
     size_t size, again;
-    make_other(f, 1, KEPT_POINTS);
+    make_other(f, 1, JOURNAL_POINTS);
     whirl_journal *journal = begun(f, f->own);
-    check(kept_keep(journal, 0));
-    check(kept_keep(journal, 1));
+    check(point_write(journal, 0));
+    check(point_write(journal, 1));
     assert_true(whirl_journal_has(journal, 0, 1));
     assert_false(whirl_journal_has(journal, 0, 2));
     check(whirl_journal_take(journal, f->other));
-    assert_int_equal(kept_count(journal), KEPT_POINTS);
-    assert_int_equal(whirl_journal_points(journal), KEPT_POINTS);
+    assert_int_equal(count_recalled(journal), JOURNAL_POINTS);
+    assert_int_equal(whirl_journal_points(journal), JOURNAL_POINTS);
     assert_true(whirl_journal_has(journal, 0, 2));
     // Of no pass, no batch and no slot that there is not.
     assert_false(whirl_journal_has(journal, 2, 0) || whirl_journal_has(journal, 1000, 0));
@@ -83,7 +83,7 @@ static void points_are_taken_once(void **state) {
     check(whirl_journal_discard(f->other));
     assert_int_not_equal(access(f->other, F_OK), 0);
     check(whirl_journal_resume(f->own, f->outline, &journal));
-    assert_int_equal(kept_count(journal), KEPT_POINTS);
+    assert_int_equal(count_recalled(journal), JOURNAL_POINTS);
     check(whirl_journal_close(journal));
 }
 
@@ -96,11 +96,11 @@ static void a_part_takes_its_own(void **state) {
     const fixture *f = *state;
     const whirl_journal_part part = {is_odd, NULL};
     whirl_journal *journal;
-    make_other(f, 0, KEPT_POINTS);
+    make_other(f, 0, JOURNAL_POINTS);
     check(whirl_journal_begin_part(f->own, f->outline, &part, &journal));
     check(whirl_journal_take(journal, f->other));
-    for (size_t i = 0; i < KEPT_POINTS; ++i)
-        assert_int_equal(kept_recall(journal, i), kept_make(i).slot % 2 == 1 ? 1 : 0);
+    for (size_t i = 0; i < JOURNAL_POINTS; ++i)
+        assert_int_equal(point_recall(journal, i), point_make(i).slot % 2 == 1 ? 1 : 0);
     check(whirl_journal_close(journal));
     check(whirl_journal_resume_part(f->own, f->outline, &part, &journal));
     assert_int_equal(whirl_journal_look(journal).points, 1);
@@ -135,16 +135,16 @@ static void a_part_reserves_less(void **state) {
     sweep->branch = branch;
 }
 
-static void a_journal_in_use_is_read_and_kept(void **state) {
+static void a_journal_in_use_is_read_and_not_removed(void **state) {
     const fixture *f = *state;
     whirl_journal *other = begun(f, f->other), *journal = begun(f, f->own);
-    check(kept_keep(other, 2));
+    check(point_write(other, 2));
     assert_true(whirl_journal_in_use(f->other));
     check(whirl_journal_take(journal, f->other));
-    assert_int_equal(kept_count(journal), 1);
-    check(kept_keep(other, 3));
+    assert_int_equal(count_recalled(journal), 1);
+    check(point_write(other, 3));
     check(whirl_journal_take(journal, f->other));
-    assert_int_equal(kept_count(journal), 2);
+    assert_int_equal(count_recalled(journal), 2);
     assert_says(whirl_journal_discard(f->other), WHIRL_BAD_INPUT, "another run is writing");
     check(whirl_journal_close(other));
     assert_false(whirl_journal_in_use(f->other));
@@ -158,7 +158,7 @@ static void other_studies_are_refused(void **state) {
     whirl_journal *journal = begun(f, f->own);
     assert_says(whirl_journal_take(journal, f->other), WHIRL_BAD_INPUT,
                 "other is of another study: parameter omega was '650 rad/s' and is '660 rad/s'");
-    assert_int_equal(kept_count(journal), 0);
+    assert_int_equal(count_recalled(journal), 0);
     FILE *file = fopen(f->other, "wb");
     assert_true(file && fputs("not a journal at all\n", file) >= 0 && fclose(file) == 0);
     assert_says(whirl_journal_take(journal, f->other), WHIRL_BAD_INPUT, "is no journal of this study");
@@ -169,11 +169,11 @@ static void other_studies_are_refused(void **state) {
 }
 
 /// If a journal is cut or damaged at any byte, its valid part is used, and no wrong number.
-static void what_is_sound_is_taken(void **state) {
+static void valid_parts_are_used(void **state) {
     const fixture *f = *state;
     unsigned char *bytes;
     size_t size;
-    make_other(f, 0, KEPT_POINTS);
+    make_other(f, 0, JOURNAL_POINTS);
     check(whole_file(f->other, &bytes, &size));
     for (size_t at = 0; at < size; at += 7) {
         bytes[at] ^= 0x10u;
@@ -182,7 +182,7 @@ static void what_is_sound_is_taken(void **state) {
         remove(f->own);
         whirl_journal *journal = begun(f, f->own);
         check(whirl_journal_take(journal, f->other));
-        assert_true(kept_count(journal) >= KEPT_POINTS - 2);
+        assert_true(count_recalled(journal) >= JOURNAL_POINTS - 2);
         check(whirl_journal_close(journal));
         bytes[at] ^= 0x10u;
     }
@@ -214,8 +214,8 @@ int main(void) {
 #define IN_FOLDER(test) cmocka_unit_test_setup_teardown(test, setup, teardown)
     const struct CMUnitTest tests[] = {
         IN_FOLDER(points_are_taken_once),     IN_FOLDER(a_part_takes_its_own),
-        IN_FOLDER(a_part_reserves_less),      IN_FOLDER(a_journal_in_use_is_read_and_kept),
-        IN_FOLDER(other_studies_are_refused), IN_FOLDER(what_is_sound_is_taken),
+        IN_FOLDER(a_part_reserves_less),      IN_FOLDER(a_journal_in_use_is_read_and_not_removed),
+        IN_FOLDER(other_studies_are_refused), IN_FOLDER(valid_parts_are_used),
         IN_FOLDER(states_are_taken),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,4 +1,4 @@
-// MAT files: what tests of the command cannot reach, for a variable would have to be larger than 2 GB.
+// MAT files: limits that tests of the command cannot reach, because a variable would have to be larger than 2 GB.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

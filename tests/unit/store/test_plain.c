@@ -179,7 +179,7 @@ static void refuses_what_whirl_does_not_write(void **state) {
 
 /// If any byte of a header is changed, the reader stays within the file (sanitizers check it) and ends. Most changes
 /// are found at once, without any checksum.
-static void looks_within_the_file(void **state) {
+static void reader_stays_within_the_file(void **state) {
     fixture *f = *state;
     size_t refused = 0, tried = 0;
     write_result(f);
@@ -205,7 +205,7 @@ static void looks_within_the_file(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(refuses_what_whirl_does_not_write, setup, teardown),
-        cmocka_unit_test_setup_teardown(looks_within_the_file, setup, teardown),
+        cmocka_unit_test_setup_teardown(reader_stays_within_the_file, setup, teardown),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

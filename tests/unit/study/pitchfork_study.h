@@ -8,7 +8,7 @@
 
 enum { POINTS = 41 };
 
-/// x' = p + x - x^3: for |p| < 2/(3 sqrt 3) two stable rests, which a carried sweep follows until they vanish.
+/// x' = p + x - x^3: for |p| < 2/(3 sqrt 3) two stable equilibria, which a carried sweep follows until they vanish.
 typedef struct pitchfork {
     double p, start[1];
     whirl_system system;

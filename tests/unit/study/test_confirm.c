@@ -239,7 +239,7 @@ static void test_recalled_points_change_no_bit(void **state) {
         const whirl_study s = study((whirl_carry)carry, 1e6);
         whirl_result *whole = run(&s, 1);
         memory_store *memory = store_new(2 * POINTS, 1);
-        whirl_result_free(run_kept(&s, memory, WHIRL_OK));
+        whirl_result_free(run_with_store(&s, memory, WHIRL_OK));
         for (unsigned step = 2; step <= 16; step *= 2) {
             int known = 0;
             for (unsigned p = 0; p < MAX_PASSES; p++)
@@ -247,9 +247,9 @@ static void test_recalled_points_change_no_bit(void **state) {
                     memory->known[p][i] = memory->known[p][i] && (7 * p + 3 * i) % step != 1;
                     known += memory->known[p][i];
                 }
-            whirl_result *resumed = run_kept(&s, memory, WHIRL_OK);
+            whirl_result *resumed = run_with_store(&s, memory, WHIRL_OK);
             assert_int_equal(memory->recalled, known);
-            assert_true(memory->kept > 0);
+            assert_true(memory->written > 0);
             expect_same_blocks(whole, resumed);
             whirl_result_free(resumed);
         }
@@ -294,12 +294,12 @@ static void expect_partial(double budget, size_t pass, const char *sentence) {
     whirl_result_free(result);
 }
 
-static void test_a_stop_while_confirming_is_told(void **state) {
+static void test_a_stop_while_confirming_is_reported(void **state) {
     (void)state;
     expect_partial(0, 1, "stopped after 1 of 9 points were confirmed");
 }
 
-static void test_a_stop_while_refining_is_told(void **state) {
+static void test_a_stop_while_refining_is_reported(void **state) {
     (void)state;
     expect_partial(1e6, 4, "stopped after 1 of 5 points of a round of refinement");
 }
@@ -331,8 +331,8 @@ int main(void) {
         cmocka_unit_test(test_time_is_kept),
         cmocka_unit_test(test_threads_change_no_bit),
         cmocka_unit_test(test_recalled_points_change_no_bit),
-        cmocka_unit_test(test_a_stop_while_confirming_is_told),
-        cmocka_unit_test(test_a_stop_while_refining_is_told),
+        cmocka_unit_test(test_a_stop_while_confirming_is_reported),
+        cmocka_unit_test(test_a_stop_while_refining_is_reported),
         cmocka_unit_test(test_verdicts_are_needed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

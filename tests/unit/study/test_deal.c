@@ -1,5 +1,5 @@
-// Studies whose points are dealt out among several runs: each is computed once, whoever takes it, and the run that
-// gathers has the bits of one run, also where it was stopped itself.
+// Studies whose points are dealt out among several runs: each point is computed once, by any of them, and the gathering
+// run has the bits of one run, even if it was stopped itself.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -63,7 +63,7 @@ static whirl_status gather(void *context) {
 
 /// Runs the study as run `number` of all and returns its result; `stop` ends it.
 static whirl_result *run_one(table *all, size_t number, const whirl_stop *stop, whirl_status *status) {
-    const whirl_point_store store = {.keep = memory_keep, .recall = memory_recall, .context = all->stores[number]};
+    const whirl_point_store store = {.keep = memory_write, .recall = memory_recall, .context = all->stores[number]};
     const bool last = number + 1 == RUNS;
     const whirl_dealer dealer = {
         .threads = 2 * RUNS, .open = open_point, .claim = claim, .gather = last ? gather : NULL, .context = all};
@@ -98,7 +98,7 @@ static void begin(table *all, const whirl_study *s, bool resumed) {
     for (size_t i = 0; i < RUNS; i++) all->stores[i] = store_new(slots_of(s), 1);
     if (!resumed) return;
     memory_store *own = all->stores[RUNS - 1];
-    whirl_result_free(run_kept(s, own, WHIRL_OK));
+    whirl_result_free(run_with_store(s, own, WHIRL_OK));
     for (size_t slot = 0; slot < own->slots; slot++) {
         for (size_t pass = 0; pass < 2; pass++) {
             // A third of the points is complete, a third lacks the confirmation, a third is missing. Of a carried chain
@@ -146,7 +146,7 @@ static void test_all_together_make_the_whole(void **state) {
 }
 
 /// Known points are not dealt out. An incomplete chain is dealt to a run that has the rest of it.
-static void test_what_is_known_is_not_dealt(void **state) {
+static void test_known_points_are_not_dealt(void **state) {
     double values[POINTS];
     (void)state;
     const whirl_study s = study(values, WHIRL_CARRY_NONE, true);
@@ -187,7 +187,7 @@ static void test_a_stop_of_the_one_that_gathers(void **state) {
     assert_true(all.gathered && whirl_result_partial(gathered, &done, &total));
     assert_int_equal(done, count_known(store, 0));
     assert_true(count_known(store, 1) >= 30 && count_known(store, 1) < POINTS);
-    // Confirmations are looked at when all points are there.
+    // Confirmations are compared when all points are there.
     for (size_t slot = 0; slot < POINTS; slot++) {
         const double *expected =
             done == POINTS && store->known[1][slot] ? one->blocks + slot * size : store->blocks[0][slot];
@@ -224,7 +224,7 @@ static void test_an_error_of_gathering_ends_the_run(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_all_together_make_the_whole),
-        cmocka_unit_test(test_what_is_known_is_not_dealt),
+        cmocka_unit_test(test_known_points_are_not_dealt),
         cmocka_unit_test(test_a_stop_of_the_one_that_gathers),
         cmocka_unit_test(test_an_error_of_gathering_ends_the_run),
     };

@@ -70,10 +70,10 @@ static void test_chaos_that_ends_is_doubted(void **state) {
     assert_true(ended > 0);
     expect_same_blocks(result, alone);
     memory_store *memory = store_new(4, 3);
-    whirl_result_free(run_kept(&s, memory, WHIRL_OK));
-    const int kept = memory->kept;
-    whirl_result *recalled = run_kept(&s, memory, WHIRL_OK);
-    assert_int_equal(memory->recalled, kept);
+    whirl_result_free(run_with_store(&s, memory, WHIRL_OK));
+    const int written = memory->written;
+    whirl_result *recalled = run_with_store(&s, memory, WHIRL_OK);
+    assert_int_equal(memory->recalled, written);
     expect_same_blocks(result, recalled);
     free(memory);
     whirl_result_free(recalled);

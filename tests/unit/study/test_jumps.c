@@ -101,7 +101,7 @@ static void a_resonance_has_none(void **state) {
     whirl_result_free(result);
 }
 
-/// Counts beyond the room are told; tables without orbits, or of one point, have none.
+/// The count includes jumps beyond the room of the list; tables without orbits, or of one point, have none.
 static void odd_tables(void **state) {
     (void)state;
     size_t count;

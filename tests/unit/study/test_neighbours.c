@@ -76,14 +76,14 @@ static size_t count_double(const whirl_result *result, bool *right) {
         assert_true(one->share == (one->starts > 0 ? 1.0 : 0.0) && one->error == 0.0);
         assert_true((one->starts == 0) == whirl_table_from_neighbour(table, one->first));
         count += one->starts == 0;
-        *right = *right && (one->beside == 2) == (fabs(table->values[one->first]) < fold);
+        *right = *right && (one->coexisting == 2) == (fabs(table->values[one->first]) < fold);
     }
     whirl_coexistence_free(&found);
     return count;
 }
 
 /// Both rests are found up to their folds: in every round one value further at either end.
-static void both_rests_are_found_to_their_folds(void **state) {
+static void both_equilibria_are_followed_to_their_folds(void **state) {
     double values[POINTS];
     bool right;
     (void)state;
@@ -138,9 +138,9 @@ static void expect_same(const whirl_result *one, const whirl_result *other) {
 
 static whirl_result *run_with(const whirl_study *s, memory_store *memory, whirl_run_options options) {
     whirl_result *result;
-    memory->store = (whirl_point_store){.keep = memory_keep, .recall = memory_recall, .context = memory};
+    memory->store = (whirl_point_store){.keep = memory_write, .recall = memory_recall, .context = memory};
     options.store = &memory->store;
-    memory->kept = memory->recalled = 0;
+    memory->written = memory->recalled = 0;
     assert_int_equal(whirl_study_run(s, &options, &result).code, WHIRL_OK);
     return result;
 }
@@ -152,7 +152,8 @@ static void no_bit_depends_on_how_it_is_computed(void **state) {
     (void)state;
     for (size_t kept = 0; kept < 2; kept++) {
         whirl_study s = study(values, 100);
-        s.batches[0].confirm = !kept; // blocks of confirmed points stay in memory, so `kept` needs unconfirmed ones
+        s.batches[0].confirm =
+            !kept; // blocks of confirmed points stay in memory, so the second kind needs unconfirmed ones
         whirl_result *whole = run(&s, 1);
         memory_store *memory = store_new(SLOTS, 1);
         for (size_t number = 1; number <= 3; number++)
@@ -171,7 +172,7 @@ static void no_bit_depends_on_how_it_is_computed(void **state) {
     }
 }
 
-static void what_has_no_neighbours_is_refused(void **state) {
+static void studies_without_neighbours_are_refused(void **state) {
     double values[POINTS];
     whirl_study s = study(values, 1);
     whirl_result *result;
@@ -187,8 +188,9 @@ static void what_has_no_neighbours_is_refused(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(both_rests_are_found_to_their_folds), cmocka_unit_test(starts_are_ends),
-        cmocka_unit_test(no_bit_depends_on_how_it_is_computed), cmocka_unit_test(what_has_no_neighbours_is_refused)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(both_equilibria_are_followed_to_their_folds),
+                                       cmocka_unit_test(starts_are_ends),
+                                       cmocka_unit_test(no_bit_depends_on_how_it_is_computed),
+                                       cmocka_unit_test(studies_without_neighbours_are_refused)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

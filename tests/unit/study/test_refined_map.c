@@ -1,4 +1,4 @@
-// Refined maps: what is computed has the bits of the whole grid, what is not the labels that it would have; and
+// Refined maps: computed points have the bits of the whole grid, the others the labels that they would have; and
 // threads, shares, stops and stores change nothing.
 #include <math.h>
 #include <setjmp.h>
@@ -107,7 +107,7 @@ static void a_refined_map_has_the_grids_points(void **state) {
         for (size_t slot = 0; slot < POINTS; slot++) {
             assert_true(same_motion(refined, cover[slot], grid, slot));
             const double away = whole.p[slot] * whole.p[slot] + whole.q[slot] * whole.q[slot] - 0.5;
-            if (fabs(away) > 0.1) // where it is not too slow to be told
+            if (fabs(away) > 0.1) // where it is fast enough for a verdict
                 assert_int_equal(whirl_table_verdict(grid, slot).regime, away < 0 ? WHIRL_PERIODIC : WHIRL_DIVERGING);
             const bool meet = slot % COLUMNS > 0 && !same_motion(grid, slot - 1, grid, slot);
             circle += meet;
@@ -156,10 +156,10 @@ static void expect_same(const whirl_result *one, const whirl_result *other) {
 
 static whirl_result *run_with(const plane *s, memory_store *memory, whirl_run_options options, whirl_code expected) {
     whirl_result *result;
-    memory->store = (whirl_point_store){.keep = memory_keep, .recall = memory_recall, .context = memory};
+    memory->store = (whirl_point_store){.keep = memory_write, .recall = memory_recall, .context = memory};
     options.threads = 2;
     options.store = &memory->store;
-    memory->kept = memory->recalled = 0;
+    memory->written = memory->recalled = 0;
     assert_int_equal(whirl_study_run(&s->study, &options, &result).code, expected);
     return result;
 }
@@ -179,25 +179,25 @@ static void shares_make_the_whole(void **state) {
             plane s;
             make(&s, "basin", SQUARE, confirm);
             whirl_result *whole = run(&s.study, 1);
-            memory_store *kept = store_new(POINTS, 1);
+            memory_store *store = store_new(POINTS, 1);
             for (size_t number = 1; number <= 3; number++) {
                 const whirl_run_options gather = {.gather = true, .memory = memory};
                 const whirl_run_options share = {.share = {number, 3}, .memory = memory};
-                whirl_result *early = run_with(&s, kept, gather, WHIRL_STOPPED);
-                assert_int_equal(kept->kept, 0);
+                whirl_result *early = run_with(&s, store, gather, WHIRL_STOPPED);
+                assert_int_equal(store->written, 0);
                 whirl_result_free(early);
-                whirl_result_free(run_with(&s, kept, share, WHIRL_OK));
-                assert_true(kept->kept > 0);
+                whirl_result_free(run_with(&s, store, share, WHIRL_OK));
+                assert_true(store->written > 0);
             }
             whirl_result *gathered =
-                run_with(&s, kept, (whirl_run_options){.gather = true, .memory = memory}, WHIRL_OK);
-            assert_true(kept->kept < (int)whole->tables[0].count / 10);
+                run_with(&s, store, (whirl_run_options){.gather = true, .memory = memory}, WHIRL_OK);
+            assert_true(store->written < (int)whole->tables[0].count / 10);
             expect_same(whole, gathered);
             expect_two_attractors(whole);
             expect_two_attractors(gathered);
             whirl_result_free(gathered);
             whirl_result_free(whole);
-            free(kept);
+            free(store);
         }
 }
 
@@ -269,15 +269,15 @@ static void stops_change_nothing(void **state) {
     make(&s, "map", SQUARE, true);
     whirl_result *whole = run(&s.study, 1);
     for (size_t i = 0; i < sizeof limits / sizeof *limits; i++) {
-        memory_store *kept = store_new(POINTS, 1);
-        kept->limit = limits[i];
-        assert_null(run_with(&s, kept, (whirl_run_options){0}, WHIRL_IO_ERROR));
-        kept->limit = -1;
-        whirl_result *again = run_with(&s, kept, (whirl_run_options){0}, WHIRL_OK);
-        assert_true(kept->recalled > 0);
+        memory_store *store = store_new(POINTS, 1);
+        store->limit = limits[i];
+        assert_null(run_with(&s, store, (whirl_run_options){0}, WHIRL_IO_ERROR));
+        store->limit = -1;
+        whirl_result *again = run_with(&s, store, (whirl_run_options){0}, WHIRL_OK);
+        assert_true(store->recalled > 0);
         expect_same(whole, again);
         whirl_result_free(again);
-        free(kept);
+        free(store);
     }
     whirl_result_free(whole);
 }
@@ -322,7 +322,7 @@ static void a_budget_goes_to_points_in_doubt(void **state) {
     whirl_result_free(refined);
 }
 
-static void what_makes_no_sense_is_refused(void **state) {
+static void impossible_refinements_are_refused(void **state) {
     plane s;
     whirl_result *result;
     (void)state;
@@ -348,7 +348,7 @@ int main(void) {
         cmocka_unit_test(stops_change_nothing),
         cmocka_unit_test(a_stopped_map_is_partial),
         cmocka_unit_test(a_budget_goes_to_points_in_doubt),
-        cmocka_unit_test(what_makes_no_sense_is_refused),
+        cmocka_unit_test(impossible_refinements_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -40,7 +40,7 @@ static void fields_lie_where_the_layout_says(void **state) {
                      sweep->layout.size);
 }
 
-static void what_is_not_there_is_null(void **state) {
+static void missing_fields_are_null(void **state) {
     const whirl_table *detail = &((whirl_result *)*state)->tables[1];
     assert_null(whirl_table_field(detail, 0, "made/none", 0));
     assert_null(whirl_table_field(detail, 1, "made/array", 0));
@@ -130,7 +130,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(tables_have_names, setup, teardown),
         cmocka_unit_test_setup_teardown(fields_lie_where_the_layout_says, setup, teardown),
-        cmocka_unit_test_setup_teardown(what_is_not_there_is_null, setup, teardown),
+        cmocka_unit_test_setup_teardown(missing_fields_are_null, setup, teardown),
         cmocka_unit_test(parameters_are_shown_in_the_units_of_the_case),
         cmocka_unit_test_setup_teardown(verdicts_come_from_the_block, setup, teardown),
         cmocka_unit_test_setup_teardown(facts_are_added_or_replaced, setup, teardown),

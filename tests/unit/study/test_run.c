@@ -13,7 +13,7 @@
 #include "memory_store.h"
 #include "sweep_study.h"
 
-/// x' = p + x - x^3: for |p| < 2/(3 sqrt 3) two stable rests, which a carried sweep follows until they vanish.
+/// x' = p + x - x^3: for |p| < 2/(3 sqrt 3) two stable equilibria, which a carried sweep follows until they vanish.
 typedef struct pitchfork {
     double p;
     double start[1];
@@ -59,7 +59,7 @@ static double rest(const whirl_table *table, size_t point) {
     return *whirl_table_field(table, point, "poincare/section", 0);
 }
 
-static void test_points_start_alike(void **state) {
+static void test_points_have_the_same_start(void **state) {
     double values[POINTS];
     const whirl_study s = study(values, WHIRL_CARRY_NONE);
     (void)state;
@@ -187,20 +187,20 @@ static void test_recalled_points_change_no_bit(void **state) {
         const int count = carry == WHIRL_CARRY_BOTH ? 2 * POINTS : POINTS;
         whirl_result *whole = run(&s, 1);
         memory_store *memory = store_new(POINTS * 2, 1);
-        whirl_result_free(run_kept(&s, memory, WHIRL_OK));
-        assert_int_equal(memory->kept, count);
+        whirl_result_free(run_with_store(&s, memory, WHIRL_OK));
+        assert_int_equal(memory->written, count);
         for (int step = 2; step <= 8; step *= 2) {
             for (int i = 0; i < count; i++) memory->known[0][i] = memory->known[0][i] && i % step != 1 && i != 5;
             int known = 0;
             for (int i = 0; i < count; i++) known += memory->known[0][i];
-            whirl_result *resumed = run_kept(&s, memory, WHIRL_OK);
+            whirl_result *resumed = run_with_store(&s, memory, WHIRL_OK);
             assert_int_equal(memory->recalled, known);
-            assert_int_equal(memory->kept, count - known);
+            assert_int_equal(memory->written, count - known);
             expect_same_blocks(whole, resumed);
             whirl_result_free(resumed);
         }
-        whirl_result *recalled = run_kept(&s, memory, WHIRL_OK);
-        assert_true(memory->recalled == count && memory->kept == 0);
+        whirl_result *recalled = run_with_store(&s, memory, WHIRL_OK);
+        assert_true(memory->recalled == count && memory->written == 0);
         expect_same_blocks(whole, recalled);
         whirl_result_free(recalled);
         whirl_result_free(whole);
@@ -213,19 +213,19 @@ static void test_blocks_may_stay_with_the_store(void **state) {
     double values[POINTS];
     const whirl_study s = study(values, WHIRL_CARRY_BOTH);
     memory_store *memory = store_new(2 * POINTS, 1);
-    const whirl_point_store store = {.keep = memory_keep, .recall = memory_recall, .context = memory};
+    const whirl_point_store store = {.keep = memory_write, .recall = memory_recall, .context = memory};
     const whirl_run_options options = {.threads = 2, .store = &store, .memory = 1};
-    whirl_result *whole = run(&s, 1), *kept;
+    whirl_result *whole = run(&s, 1), *stored;
     (void)state;
-    assert_int_equal(whirl_study_run(&s, &options, &kept).code, WHIRL_OK);
-    const whirl_table *a = whole->tables, *b = kept->tables;
-    assert_true(b->blocks == NULL && memory->kept == 2 * POINTS);
+    assert_int_equal(whirl_study_run(&s, &options, &stored).code, WHIRL_OK);
+    const whirl_table *a = whole->tables, *b = stored->tables;
+    assert_true(b->blocks == NULL && memory->written == 2 * POINTS);
     for (size_t i = 0; i < a->count; i++) {
         assert_memory_equal(whirl_table_block(a, i), whirl_table_block(b, i), a->layout.size * sizeof(double));
         assert_true(*whirl_table_field(b, i, "lyapunov/largest", 0) == *whirl_table_field(a, i, "lyapunov/largest", 0));
         assert_int_equal(whirl_table_verdict(b, i).regime, whirl_table_verdict(a, i).regime);
     }
-    // Asked for once, though three times looked at.
+    // Requested once, though three passes check it.
     assert_int_equal(memory->recalled, 2 * POINTS);
     memory->known[0][3] = false;
     assert_null(whirl_table_block(b, 3));
@@ -234,7 +234,7 @@ static void test_blocks_may_stay_with_the_store(void **state) {
     b->done[5] = 0;
     assert_true(isnan(*whirl_table_field(b, 5, "lyapunov/largest", 0)));
     assert_null(whirl_table_block(b, b->count));
-    whirl_result_free(kept);
+    whirl_result_free(stored);
     whirl_result_free(whole);
     free(memory);
 }
@@ -247,12 +247,12 @@ static void test_a_carried_branch_goes_on_after_a_divergence(void **state) {
     s.batches[0].integrate.limit = 1.2;
     whirl_result *whole = run(&s, 1);
     memory_store *memory = store_new(POINTS * 2, 1);
-    whirl_result_free(run_kept(&s, memory, WHIRL_OK));
+    whirl_result_free(run_with_store(&s, memory, WHIRL_OK));
     int diverged = 0;
     for (int i = 0; i < POINTS; i++) diverged += isnan(memory->ends[0][i][0]) != 0;
     assert_true(diverged > 0 && diverged < POINTS);
     for (int i = 1; i < POINTS; i += 2) memory->known[0][i] = false;
-    whirl_result *resumed = run_kept(&s, memory, WHIRL_OK);
+    whirl_result *resumed = run_with_store(&s, memory, WHIRL_OK);
     expect_same_blocks(whole, resumed);
     whirl_result_free(resumed);
     whirl_result_free(whole);
@@ -265,10 +265,10 @@ static void test_a_store_that_fails_ends_the_run(void **state) {
     memory_store *memory = store_new(POINTS * 2, 1);
     (void)state;
     memory->limit = 7;
-    assert_null(run_kept(&s, memory, WHIRL_IO_ERROR));
-    assert_int_equal(memory->kept, 7);
+    assert_null(run_with_store(&s, memory, WHIRL_IO_ERROR));
+    assert_int_equal(memory->written, 7);
     memory->limit = -1;
-    whirl_result *whole = run(&s, 1), *resumed = run_kept(&s, memory, WHIRL_OK);
+    whirl_result *whole = run(&s, 1), *resumed = run_with_store(&s, memory, WHIRL_OK);
     assert_int_equal(memory->recalled, 7);
     expect_same_blocks(whole, resumed);
     whirl_result_free(resumed);
@@ -305,7 +305,7 @@ static void test_empty_studies_are_refused(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_points_start_alike),
+        cmocka_unit_test(test_points_have_the_same_start),
         cmocka_unit_test(test_carrying_shows_hysteresis),
         cmocka_unit_test(test_threads_change_no_bit),
         cmocka_unit_test(test_an_error_of_a_point_ends_the_run),

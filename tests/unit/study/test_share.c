@@ -14,10 +14,10 @@
 
 static whirl_result *run_share(const whirl_study *s, memory_store *memory, whirl_share share, bool gather,
                                whirl_status *status) {
-    const whirl_point_store store = {.keep = memory_keep, .recall = memory_recall, .context = memory};
+    const whirl_point_store store = {.keep = memory_write, .recall = memory_recall, .context = memory};
     const whirl_run_options options = {.threads = 1, .store = &store, .share = share, .gather = gather};
     whirl_result *result;
-    memory->kept = memory->recalled = 0;
+    memory->written = memory->recalled = 0;
     *status = whirl_study_run(s, &options, &result);
     return result;
 }
@@ -53,13 +53,13 @@ static void expect_shares_make_the_whole(const whirl_study *s, size_t count) {
         whirl_result *gathered = run_share(s, memory, (whirl_share){0}, true, &status);
         if (points_of(s, (whirl_share){number, count}) > 0) {
             assert_int_equal(status.code, WHIRL_STOPPED);
-            assert_true(is_partial(gathered) && memory->kept == 0);
+            assert_true(is_partial(gathered) && memory->written == 0);
             assert_int_equal(memory->recalled, known_points(memory));
         }
         whirl_result_free(gathered);
         whirl_result *result = run_share(s, memory, share, false, &status);
         assert_int_equal(status.code, WHIRL_OK);
-        assert_int_equal(memory->kept, own * passes);
+        assert_int_equal(memory->written, own * passes);
         assert_true(is_partial(result));
         whirl_result_free(result);
     }

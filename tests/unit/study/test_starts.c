@@ -1,5 +1,5 @@
-// Several starts of every point: how they are spread, what they are told to have come to rest on, and how attractors go
-// on from place to place; on tables that are made up.
+// Several starts of every point: how they are spread, how their motions are assigned to attractors, and how attractors
+// continue from point to point; on tables that are made up.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -123,7 +123,7 @@ static whirl_coexistence tell(const whirl_table *table) {
 
 /// An orbit of two revolutions in both phases is one attractor. Chaotic motions whose records differ somewhat are one,
 /// chaos elsewhere is another one. A motion without a verdict has no attractor but counts as a start.
-static void motions_of_a_place_are_told_apart(void **state) {
+static void attractors_of_a_point_are_distinguished(void **state) {
     static const size_t labels[] = {1, 2, 1, 0, 3, 2, 1, 4};
     static const size_t counts[] = {3, 2, 1, 1};
     whirl_table table = make(1, 8, 0);
@@ -144,7 +144,7 @@ static void motions_of_a_place_are_told_apart(void **state) {
         const double share = (double)counts[k] / 8.0;
         assert_int_equal(counts[k], found.items[k].starts);
         assert_int_equal(8, found.items[k].of);
-        assert_int_equal(4, found.items[k].beside);
+        assert_int_equal(4, found.items[k].coexisting);
         assert_true(found.items[k].share == share);
         assert_true(fabs(found.items[k].error - sqrt(share * (1.0 - share) / 8.0)) < 1e-15);
     }
@@ -204,7 +204,7 @@ static void attractors_go_on_along_a_sweep(void **state) {
     assert_int_equal(2, label(&found, 1, 2));
     assert_int_equal(3, label(&found, 0, 5));
     assert_int_equal(3, label(&found, 1, 5));
-    assert_int_equal(2, whirl_coexistence_at(&found, &table, 1)->beside);
+    assert_int_equal(2, whirl_coexistence_at(&found, &table, 1)->coexisting);
     whirl_coexistence_free(&found);
     drop(&table);
 }
@@ -356,7 +356,7 @@ int main(void) {
         cmocka_unit_test(halton_is_as_published),
         cmocka_unit_test(halton_fills_boxes),
         cmocka_unit_test(coordinates_have_primes),
-        cmocka_unit_test(motions_of_a_place_are_told_apart),
+        cmocka_unit_test(attractors_of_a_point_are_distinguished),
         cmocka_unit_test(multiples_of_an_orbit_are_the_same),
         cmocka_unit_test(attractors_go_on_along_a_sweep),
         cmocka_unit_test(the_nearest_goes_on),

@@ -113,7 +113,7 @@ static void expect_refusal(const whirl_study *s, const whirl_verify_options *opt
     assert_null(v);
 }
 
-static void test_what_makes_no_sense_is_refused(void **state) {
+static void test_impossible_options_are_refused(void **state) {
     whirl_study s = study("rk4", 16);
     (void)state;
     expect_refusal(&s, &(whirl_verify_options){.revolutions = 0},
@@ -150,7 +150,7 @@ static void test_a_stop_leaves_nothing(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_order_of_a_step),     cmocka_unit_test(test_verdicts_that_depend_on_the_step),
-        cmocka_unit_test(test_threads_change_no_bit),   cmocka_unit_test(test_what_makes_no_sense_is_refused),
+        cmocka_unit_test(test_threads_change_no_bit),   cmocka_unit_test(test_impossible_options_are_refused),
         cmocka_unit_test(test_another_method_is_found), cmocka_unit_test(test_a_stop_leaves_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,4 +1,4 @@
-// Angles that the state drives: a pendulum that goes round and round beside its closed form,
+// Angles that the state drives: a pendulum that rotates without end, compared with its closed form,
 //
 //     theta'' = -b sin t - 2 c (theta' - 1/2 - b cos t) - (k/2) sin(2 theta - t - 2 b sin t),
 //
@@ -102,7 +102,7 @@ static void branches_of_rotations_have_their_multipliers(void **state) {
     }
 }
 
-static void what_is_wrong_is_said(void **state) {
+static void wrong_arguments_are_refused(void **state) {
     (void)state;
     whirl_user_system *system = make(false, false, "dop853");
     refused(whirl_user_system_angle(system, 2, two_pi), "there is no coordinate 2, expected 0 to 1");
@@ -116,7 +116,7 @@ int main(void) {
         cmocka_unit_test(rotation_is_periodic),
         cmocka_unit_test(without_angles_it_is_not_known),
         cmocka_unit_test(branches_of_rotations_have_their_multipliers),
-        cmocka_unit_test(what_is_wrong_is_said),
+        cmocka_unit_test(wrong_arguments_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

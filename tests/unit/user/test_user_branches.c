@@ -1,4 +1,5 @@
-// Branches of custom systems beside closed forms: where equilibria and orbits change, and what they are there.
+// Branches of custom systems, compared with closed forms: places of bifurcations, their kinds, and numbers along the
+// branches.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -563,7 +564,7 @@ static void results_are_described(void **state) {
     whirl_user_system_free(system);
 }
 
-static void what_is_wrong_is_said(void **state) {
+static void wrong_arguments_are_refused(void **state) {
     const double beyond = 0.3, values[] = {1.0, 2.0};
     whirl_result *result;
     (void)state;
@@ -628,7 +629,7 @@ int main(void) {
         cmocka_unit_test(orbits_of_every_speed_are_their_closed_form),
         cmocka_unit_test(curves_follow_folds),
         cmocka_unit_test(results_are_described),
-        cmocka_unit_test(what_is_wrong_is_said),
+        cmocka_unit_test(wrong_arguments_are_refused),
         cmocka_unit_test(a_function_that_fails_ends_the_run),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,6 +1,6 @@
-// Scales of coordinates: what is said of a motion does not hang on the units that it is written in.
+// Scales of coordinates: results about a motion do not depend on the units of its equations.
 //
-// A Duffing oscillator x'' + x'/4 - x + x^3 = 0.2 cos t with the unit U beside a temperature that rests at T. Its P-1
+// A Duffing oscillator x'' + x'/4 - x + x^3 = 0.2 cos t with the unit U, and a temperature that rests at T. Its P-1
 // has the divergence -1/4, so that the largest exponent, of a pair, is -pi/4 per revolution. A driven van der Pol
 // oscillator u'' = 0.05 (1 - u^2) u' - u + 0.3 cos t is locked on P-1 in any unit.
 #include <math.h>

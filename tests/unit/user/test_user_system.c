@@ -1,4 +1,4 @@
-// Custom systems beside closed forms: alone and in lanes, by functions for one machine and for many.
+// Custom systems, compared with closed forms: alone and in lanes, by functions for one machine and for many.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -174,7 +174,7 @@ static void maps_have_rows(void **state) {
     whirl_user_system_free(system);
 }
 
-/// Other facts of a result, and the points of a journal that it began with.
+/// Other facts of a result, and the points of the journal that it continued.
 static void results_are_described(void **state) {
     (void)state;
     whirl_user_system *system = make();
@@ -326,7 +326,7 @@ static void functions_of_another_form_are_refused(void **state) {
     whirl_user_system_free(system);
 }
 
-static void what_is_wrong_is_said(void **state) {
+static void wrong_arguments_are_refused(void **state) {
     whirl_user_system *system;
     whirl_job *job;
     whirl_result *result;
@@ -384,7 +384,7 @@ int main(void) {
         cmocka_unit_test(slopes_that_jump_are_refused_where_a_derivative_is_followed),
         cmocka_unit_test(slopes_that_are_no_numbers_are_divergence),
         cmocka_unit_test(functions_of_another_form_are_refused),
-        cmocka_unit_test(what_is_wrong_is_said),
+        cmocka_unit_test(wrong_arguments_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
