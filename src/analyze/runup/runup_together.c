@@ -14,7 +14,7 @@ enum { SAMPLE_BYTES = 1 << 26, MAX_TOGETHER = 64 };
 typedef struct runup_lanes {
     whirl_ensemble *ensemble;
     const whirl_system *first; ///< machine that defines the structure
-    size_t runs;               ///< lanes of runs; those of their copies follow
+    size_t runs, count;        ///< lanes of runs, and all: those of their copies follow
     size_t used;               ///< lanes that a run has, or had
     bool any;                  ///< a lane is to be carried
     struct runup_ride **rides; ///< [runs]
@@ -72,7 +72,9 @@ static whirl_status runup_lanes_make(const runup_group *group, const runup_ride 
     made->next = calloc(made->runs + 1, sizeof *made->next);
     if (!made->rides || !made->observed || !made->from || !made->next)
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for runs");
-    return whirl_ensemble_flow(made->first, &options, ride->r.copy ? 2 * made->runs : made->runs, 0, &made->ensemble);
+    // A run may lose its copy and others of the same plan have theirs: room does not depend on it.
+    made->count = runup_wants_copy(ride->r.plan->options, ride->r.contacts) ? 2 * made->runs : made->runs;
+    return whirl_ensemble_flow(made->first, &options, made->count, 0, &made->ensemble);
 }
 
 /// Adds lanes to the group.
@@ -173,7 +175,7 @@ static void runup_carry_lanes(runup_lanes *lanes) {
         lanes->from[lanes->sampled] = lane;
         lanes->next[lanes->sampled++] = ride->r.samples + dimension;
     }
-    whirl_ensemble_revolve(lanes->ensemble, whirl_ensemble_lanes(lanes->ensemble), &observe);
+    whirl_ensemble_revolve(lanes->ensemble, lanes->count, &observe);
 }
 
 /// Takes a part from its lanes.
