@@ -34,8 +34,9 @@ static const whirl_key keys[KEY_COUNT] = {
                                     "range up to which cycles do no damage; absent: every cycle counts"),
     [ENDURANCE_STRESS] =
         NUMBER_KEY("endurance_stress", "", "Pa", OPTIONAL, WHIRL_POSITIVE, "the same for stress_ranges"),
-    [DIAMETER] = NUMBER_KEY("diameter", "d", "m", OPTIONAL, WHIRL_POSITIVE,
-                            "of the section whose stress counts; absent: the weakest of what joins the stations"),
+    [DIAMETER] = NUMBER_KEY(
+        "diameter", "d", "m", OPTIONAL, WHIRL_POSITIVE,
+        "of the section whose stress counts; absent: the weakest section of the shaft or coupling between them"),
     [INNER] = NUMBER_KEY("inner", "d_i", "m", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "inner diameter there"),
     [CONCENTRATION] = NUMBER_KEY("stress_concentration", "K_f", "1", DEFAULT("1"), WHIRL_FROM_TO(1.0, 100.0),
                                  "factor of the stress there, as of a keyway or a fillet"),
