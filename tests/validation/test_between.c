@@ -317,7 +317,7 @@ static void refusals(void **unused) {
         const char *sentence;
     } wrong[] = {
         {{"spring", {{"between", 0.0, "one, other"}, {"along", 0.0, "tilts"}, {"gap", 0.1, NULL}}},
-         "has gap, in m, and acts along angles, expected along: xy, x or y"},
+         "has gap, in m, and acts along angles, expected along: xy, x, y or axial"},
         {{"friction", {{"between", 0.0, "one, other"}, {"along", 0.0, "x"}, {"moment", 0.1, NULL}}},
          "has moment, in N m, and acts along displacements, expected along: tilts, tilt_x, tilt_y or twist"},
         {{"friction", {{"between", 0.0, "one, other"}, {"along", 0.0, "x"}}}, "has no force, expected one in N"},
