@@ -29,10 +29,15 @@ Index index_of(size_t n) {
     return static_cast<Index>(n);
 }
 
-/// Runs code that may throw, and returns false if it does: Eigen throws only without memory.
+/// Runs code that may throw, and returns false if it does: Eigen throws only without memory. Otherwise errno is as
+/// before: malloc may set it and succeed, where the heap cannot grow in place (glibc's sbrk), and ENOMEM means here
+/// that memory ran out.
 template <typename Work> bool attempt(Work work) noexcept {
+    const int before = errno;
     try {
-        return work();
+        const bool done = work();
+        errno = before;
+        return done;
     } catch (...) {
         errno = ENOMEM; // nothing else is thrown
         return false;
