@@ -182,23 +182,11 @@ whirl_status whirl_analyze(const whirl_record *record, const whirl_record_option
     return status;
 }
 
-whirl_status whirl_analyze_resting(const whirl_resting *point, const whirl_record_options *options,
-                                   whirl_analysis_set set, const whirl_layout *layout, double *block) {
-    for (size_t i = 0; i < layout->size; i++) block[i] = NAN;
-    whirl_status status = whirl_ok();
-    for (size_t a = 0; analysis_plans[a] && status.code == WHIRL_OK; a++) {
-        const analysis_plan *plan = analysis_plans[a];
-        const block_view view = view_of(analysis_plans[a], layout, block);
-        if ((set >> a & 1u) && plan->compute_resting) status = plan->compute_resting(point, options, &view);
-    }
-    return status;
-}
-
 /// Computes an analysis of points that have no error yet, one after the other or, if it gains by that, together.
 static void layout_analyze_points(const analysis_plan *plan, size_t count, const whirl_resting *points,
                                   const whirl_record_options *options, const block_view *views,
                                   whirl_status *statuses) {
-    if (plan->compute_resting_together) {
+    if (plan->compute_resting_together && count > 1) {
         plan->compute_resting_together(count, points, options, views, statuses);
         return;
     }
@@ -211,10 +199,8 @@ whirl_status whirl_analyze_resting_together(size_t count, const whirl_resting *p
                                             const whirl_layout *layout, double *const *blocks, whirl_status *statuses) {
     block_view *views = malloc((count + 1) * sizeof *views);
     if (!views) return whirl_fail(WHIRL_NO_MEMORY, "no memory for points at rest");
-    for (size_t i = 0; i < count; i++) {
-        statuses[i] = whirl_ok();
+    for (size_t i = 0; i < count; i++)
         for (size_t k = 0; k < layout->size; k++) blocks[i][k] = NAN;
-    }
     for (size_t a = 0; analysis_plans[a]; a++) {
         if (!(set >> a & 1u) || !analysis_plans[a]->compute_resting) continue;
         for (size_t i = 0; i < count; i++) views[i] = view_of(analysis_plans[a], layout, blocks[i]);
@@ -222,6 +208,13 @@ whirl_status whirl_analyze_resting_together(size_t count, const whirl_resting *p
     }
     free(views);
     return whirl_ok();
+}
+
+whirl_status whirl_analyze_resting(const whirl_resting *point, const whirl_record_options *options,
+                                   whirl_analysis_set set, const whirl_layout *layout, double *block) {
+    whirl_status own = whirl_ok();
+    const whirl_status status = whirl_analyze_resting_together(1, point, options, set, layout, &block, &own);
+    return status.code == WHIRL_OK ? own : status;
 }
 
 whirl_status whirl_analyze_trace(const whirl_trace *trace, const whirl_record_options *options,

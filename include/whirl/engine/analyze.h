@@ -309,9 +309,10 @@ whirl_status whirl_bearings_at(const whirl_resting *point, double speed, double 
 whirl_status whirl_analyze_resting(const whirl_resting *point, const whirl_record_options *options,
                                    whirl_analysis_set set, const whirl_layout *layout, double *block);
 
-/// Fills the blocks [count][layout->size] of points as whirl_analyze_resting does, and writes the status of each to
-/// statuses [count]. Run-ups are carried together, in vector lanes where these take their machines; no bit of a block
-/// depends on the other points. Points of measured runs are not allowed. WHIRL_NO_MEMORY.
+/// Fills the blocks [count][layout->size] of points as whirl_analyze_resting does. statuses [count]: points with an
+/// error are left out, with a block of missing numbers; the others get their own. Run-ups are carried together, in
+/// vector lanes where these take their machines; no bit of a block depends on the other points. Of several points none
+/// is of a measured run. WHIRL_NO_MEMORY.
 whirl_status whirl_analyze_resting_together(size_t count, const whirl_resting *points,
                                             const whirl_record_options *options, whirl_analysis_set set,
                                             const whirl_layout *layout, double *const *blocks, whirl_status *statuses);

@@ -90,7 +90,8 @@ typedef struct analysis_plan {
     /// its numbers are missing; WHIRL_BAD_INPUT ends the run, and `whirl check` says so first.
     whirl_status (*compute_resting)(const whirl_resting *point, const whirl_record_options *options,
                                     const block_view *view);
-    /// Optional: does so for points that gain by being computed together, and writes their statuses [count].
+    /// Optional: does so for points that gain by being computed together, except those with an error in statuses
+    /// [count], and writes their statuses.
     void (*compute_resting_together)(size_t count, const whirl_resting *points, const whirl_record_options *options,
                                      const block_view *views, whirl_status *statuses);
     /// For points of branches, likewise.

@@ -748,10 +748,11 @@ static void runup_compute_together(size_t count, const whirl_resting *points, co
     runup_jobs_run(jobs, count);
     for (size_t i = 0; i < count; i++) {
         runup_job *job = &jobs[i];
-        const bool made = job->running != NULL;
-        if (made) runup_job_end(job);
+        statuses[i] = job->status;
+        if (!job->running) continue;
+        runup_job_end(job);
         // A saved state that does not fit is discarded, and the run begins anew.
-        if (made && job->f.stale) {
+        if (job->f.stale) {
             runup_empty(job->view);
             if (points[i].motion) points[i].motion->filled = 0;
             job->status = whirl_ok();

@@ -363,26 +363,23 @@ static whirl_status run_point_describe(worker *w, run_point *p, whirl_resting *p
     return status;
 }
 
-/// Makes the machine of a run-up.
+/// Makes the machine of a run-up; an error of the machine is its status.
 static whirl_status run_point_begin(worker *w, run_points *all, size_t slot) {
-    const size_t i = all->count;
+    const size_t i = all->count++;
     run_point *p = &all->points[i];
     *p = (run_point){.slot = slot, .own = {.value = w->table->values[slot]}, .batch = w->own};
     if (p->batch.tolerances.samples > 0) p->batch.sampled = 1 + (p->batch.row > 0 ? slot / p->batch.row : 0);
-    whirl_status status = w->run->study->machine(w->run->study->family, &p->batch, p->own.value, &p->own.machine);
-    if (status.code != WHIRL_OK) return status;
-    // From here on the point is freed with the others.
-    all->count++;
     p->at = (resting_place){w->run->study, &p->batch, p->own.value};
     p->saving = long_point_begin(w, slot);
     if (!w->table->blocks) p->block = calloc(w->table->layout.size + 1, sizeof *p->block);
     if (!w->table->blocks && !p->block) return whirl_fail(WHIRL_NO_MEMORY, "no memory for points at rest");
     all->blocks[i] = p->block ? p->block : resting_block_of(w, slot);
-    status = run_point_describe(w, p, &all->resting[i]);
+    all->statuses[i] = w->run->study->machine(w->run->study->family, &p->batch, p->own.value, &p->own.machine);
+    if (all->statuses[i].code == WHIRL_OK) all->statuses[i] = run_point_describe(w, p, &all->resting[i]);
     all->resting[i].saving = &p->saving;
     all->resting[i].passed = long_point_passed;
     all->resting[i].watcher = &w->lasting.points[i];
-    return status;
+    return whirl_ok();
 }
 
 /// Keeps a run-up that was computed.
