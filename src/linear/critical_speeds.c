@@ -10,6 +10,7 @@
 #include "linear_status.h"
 #include "matrix.h"
 #include "mean.h"
+#include "modes.h"
 #include "whirl/engine/linear.h"
 
 /// A machine linearised at its equilibrium, in SI units: q'' = stiffness q + rates q' for its displacements q. Both
@@ -333,7 +334,8 @@ static bool sort_directions(const whirl_system *system, size_t m, double *shapes
     return true;
 }
 
-/// Adds the critical speed of the equal roots from `first` to before `after`.
+/// Adds the critical speeds of the equal roots from `first` to before `after`. Leaves out torsional and axial modes,
+/// which an unbalance does not excite.
 static bool add_speed(const whirl_system *system, const matrices *of, roots *r, size_t first, size_t after,
                       whirl_critical_speeds *out) {
     const size_t m = (after - first) / 2, d = out->dimension;
@@ -344,8 +346,12 @@ static bool add_speed(const whirl_system *system, const matrices *of, roots *r, 
     for (size_t i = 0; i < m; i++) spread(of, r->vectors + 2 * r->n * (first + i), shapes + 2 * d * i);
     const bool made = sort_directions(system, m, shapes, work);
     for (size_t i = 0; i < m && made; i++) {
-        direction_drop_rounding(system, shapes + 2 * d * i);
-        out->directions[out->count] = whirl_direction(system, shapes + 2 * d * i);
+        double *shape = shapes + 2 * d * i, torsion, axial;
+        direction_drop_rounding(system, shape);
+        modes_shares(system, shape, &torsion, &axial);
+        if (whirl_mode_kind_of(torsion, axial) != WHIRL_LATERAL_MODE) continue;
+        memmove(out->vectors + 2 * d * out->count, shape, 2 * d * sizeof *shape);
+        out->directions[out->count] = whirl_direction(system, shape);
         out->speeds[out->count++] = sqrt(r->values[first + 2 * i]);
     }
     free(work);

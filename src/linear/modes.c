@@ -54,6 +54,12 @@ static void spread(const mean_system *m, const double *vector, double *out) {
     for (size_t i = 0; i < m->count; i++) memcpy(out + 2 * m->kept[i], vector + 2 * i, 2 * sizeof *out);
 }
 
+void modes_shares(const whirl_system *system, const double *shape, double *torsion, double *axial) {
+    double moved[2 * WHIRL_MAX_PROBES];
+    *torsion = system->twist ? system->twist(system->model, shape, moved) : 0.0;
+    *axial = system->axial ? system->axial(system->model, shape, moved) : 0.0;
+}
+
 whirl_modes *modes_allocate(size_t dimension, size_t count) {
     const size_t numbers = dimension + 2 * count * dimension + count;
     whirl_modes *modes = calloc(1, sizeof *modes + count * sizeof(whirl_mode) + numbers * sizeof(double));
@@ -76,7 +82,6 @@ static void drop_rounding(root *roots, size_t count, const double *noise) {
 /// positive frequency. vectors [count][n][2] belong to the roots.
 static whirl_modes *sort_out(const mean_system *m, root *roots, size_t count, double period, const double *vectors) {
     const size_t n = m->count, d = m->system->dimension;
-    double moved[2 * WHIRL_MAX_PROBES];
     size_t waves = 0, reals = 0;
     root *other = roots + n;
     whirl_modes *modes = modes_allocate(d, n);
@@ -105,8 +110,7 @@ static whirl_modes *sort_out(const mean_system *m, root *roots, size_t count, do
         direction_drop_rounding(m->system, shape);
         modes->modes[i] = (whirl_mode){
             .real = roots[i].real, .imaginary = roots[i].imaginary, .direction = whirl_direction(m->system, shape)};
-        if (m->system->twist) modes->modes[i].torsion = m->system->twist(m->system->model, shape, moved);
-        if (m->system->axial) modes->modes[i].axial = m->system->axial(m->system->model, shape, moved);
+        modes_shares(m->system, shape, &modes->modes[i].torsion, &modes->modes[i].axial);
     }
     return modes;
 }

@@ -136,12 +136,12 @@ typedef struct whirl_critical_speeds {
     size_t free;             ///< number of rigid-body modes, which have speed 0 and are left out
 } whirl_critical_speeds;
 
-/// Computes all critical speeds directly. In M q'' - i w G q' + K q = 0 motions that turn with the shaft are the roots
-/// of K q = w^2 (M - i G) q (Friswell, Penny, Garvey, Lees 2010). Damping is left out. G is the change of velocity
-/// terms with the speed, taken from `faster`, the same machine at another speed. Modes with w^2 not above 0 never meet
-/// the speed (thin discs). WHIRL_BAD_INPUT if the machine has no equilibrium, its stiffness depends on the speed or is
-/// not symmetric, its coefficients turn with the shaft, it has other states than displacements and velocities, or both
-/// speeds are equal. Freed by whirl_critical_speeds_free.
+/// Computes all critical speeds directly, of lateral modes. In M q'' - i w G q' + K q = 0 motions that turn with the
+/// shaft are the roots of K q = w^2 (M - i G) q (Friswell, Penny, Garvey, Lees 2010). Damping is left out. G is the
+/// change of velocity terms with the speed, taken from `faster`, the same machine at another speed. Modes with w^2 not
+/// above 0 never meet the speed (thin discs). WHIRL_BAD_INPUT if the machine has no equilibrium, its stiffness depends
+/// on the speed or is not symmetric, its coefficients turn with the shaft, it has other states than displacements and
+/// velocities, or both speeds are equal. Freed by whirl_critical_speeds_free.
 whirl_status whirl_critical_speeds_new(const whirl_machine *machine, const whirl_machine *faster,
                                        whirl_critical_speeds **speeds);
 

@@ -114,23 +114,6 @@ static whirl_status fill_bearings(const whirl_resting *point, const whirl_critic
     return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
 }
 
-/// Leaves out torsional and axial modes, at whose frequency an unbalance does not excite the machine.
-static void keep_lateral(const whirl_system *system, whirl_critical_speeds *found) {
-    double moved[2 * WHIRL_MAX_PROBES];
-    const size_t numbers = 2 * found->dimension;
-    size_t kept = 0;
-    for (size_t i = 0; i < found->count; i++) {
-        const double *shape = found->vectors + numbers * i;
-        const double torsion = system->twist ? system->twist(system->model, shape, moved) : 0.0;
-        const double axial = system->axial ? system->axial(system->model, shape, moved) : 0.0;
-        if (whirl_mode_kind_of(torsion, axial) != WHIRL_LATERAL_MODE) continue;
-        found->speeds[kept] = found->speeds[i];
-        found->directions[kept] = found->directions[i];
-        memmove(found->vectors + numbers * kept++, shape, numbers * sizeof *shape);
-    }
-    found->count = kept;
-}
-
 static whirl_status critical_speeds_compute(const whirl_resting *point, const whirl_record_options *options,
                                             const block_view *view) {
     const whirl_machine own = {
@@ -142,7 +125,6 @@ static whirl_status critical_speeds_compute(const whirl_resting *point, const wh
     status = whirl_critical_speeds_new(&own, &faster, &found);
     if (faster.release) faster.release(faster.owner);
     if (status.code != WHIRL_OK) return status;
-    keep_lateral(point->system, found);
     *view_numbers(view, RIGID_BODY, 0) = (double)found->free;
     for (size_t i = 0; i < found->count && i < (size_t)options->modes; i++) {
         view_numbers(view, SPEED, 0)[i] = found->speeds[i];
