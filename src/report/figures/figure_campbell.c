@@ -19,13 +19,14 @@ enum { MAX_CRITICAL = 256 };
 
 /// Names, colours and marks of modes: forward, backward, to and fro; torsional; axial.
 static const struct {
+    int way;
     const char *name, *colour;
     whirl_mark mark;
-} directions[] = {{"forward", "#0072B2", WHIRL_UP},
-                  {"backward", "#D55E00", WHIRL_DOWN},
-                  {"", "#606060", WHIRL_SQUARE},
-                  {"torsional", "#009E73", WHIRL_DIAMOND},
-                  {"axial", "#CC79A7", WHIRL_FRAME}};
+} directions[] = {{MODE_FORWARD, "forward", "#0072B2", WHIRL_UP},
+                  {MODE_BACKWARD, "backward", "#D55E00", WHIRL_DOWN},
+                  {MODE_TO_AND_FRO, "", "#606060", WHIRL_SQUARE},
+                  {MODE_TORSIONAL, "torsional", "#009E73", WHIRL_DIAMOND},
+                  {MODE_AXIAL, "axial", "#CC79A7", WHIRL_FRAME}};
 
 typedef struct view {
     const drawing *of;
@@ -103,17 +104,11 @@ static void add_modes(whirl_figure *figure, whirl_panel *panel, const view *v, c
         if (marks) marks->mark = directions[d].mark;
         for (size_t point = 0; point < v->table->count; point++) {
             const double *frequency = frequencies_of(v, point);
-            const double *direction = whirl_table_field(v->table, point, WHIRL_FIELD_MODES_DIRECTION, 0);
             for (size_t i = 0; frequency && i < modes_of(v) && isfinite(frequency[i]); i++) {
-                const int way = units_way(direction[i]);
-                const whirl_mode_kind kind = mode_kind(v->table, point, i);
-                const size_t own = kind == WHIRL_TORSIONAL_MODE ? 3
-                                   : kind == WHIRL_AXIAL_MODE   ? 4
-                                   : way > 0                    ? 0
-                                   : way < 0                    ? 1
-                                                                : 2;
                 if (mode_is_overdamped(v->table, point, i)) break; // overdamped modes are the last
-                if (own != d || height_of(v, WHIRL_FIELD_MODES_FREQUENCY, point, i) > v->top) continue;
+                if (mode_way(v->table, point, i) != directions[d].way ||
+                    height_of(v, WHIRL_FIELD_MODES_FREQUENCY, point, i) > v->top)
+                    continue;
                 const double x = v->table->values[point] / v->size, y = height_of(v, field, point, i);
                 series_add(figure, dots, x, y);
                 if (point % few == 0) series_add(figure, marks, x, y);

@@ -21,18 +21,14 @@ static void add_mode(whirl_figure *figure, const drawing *of, const whirl_table 
     // Name and title the panel by frequency and direction of the mode.
     const speed_unit unit = speed_unit_of(of, table, WHIRL_FIELD_MODES_SPEED);
     const double frequency = whirl_table_field(table, point, WHIRL_FIELD_MODES_FREQUENCY, 0)[mode];
-    const double direction = whirl_table_field(table, point, WHIRL_FIELD_MODES_DIRECTION, 0)[mode];
-    static const char *const ways[] = {", backward", "", ", forward"};
     char name[WHIRL_NAME_SIZE];
     snprintf(name, sizeof name, "mode-%zu", mode + 1);
     whirl_panel *panel = figure_panel(figure, name, 0.5, 2.1);
     if (!panel) return;
-    const whirl_mode_kind kind = mode_kind(table, point, mode);
-    const bool lateral = kind == WHIRL_LATERAL_MODE, torsional = kind == WHIRL_TORSIONAL_MODE;
-    snprintf(panel->title, sizeof panel->title, "%zu: %.5g %.40s%s", mode + 1, frequency / unit.size, unit.name,
-             lateral     ? ways[units_way(direction) + 1]
-             : torsional ? ", torsional"
-                         : ", axial");
+    const int way = mode_way(table, point, mode);
+    const bool lateral = way <= MODE_FORWARD, torsional = way == MODE_TORSIONAL, named = way != MODE_TO_AND_FRO;
+    snprintf(panel->title, sizeof panel->title, "%zu: %.5g %.40s%s%s", mode + 1, frequency / unit.size, unit.name,
+             named ? ", " : "", named ? mode_way_name(way) : "");
     // Compute the shape between stations, where the shaft is known, and draw the machine behind it.
     const bool bent = moved && lateral && bends_mode(bends, mode, moved);
     double most = 1.0;

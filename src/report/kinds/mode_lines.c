@@ -12,7 +12,7 @@
 typedef struct line_end {
     size_t line, point;
     double frequency;
-    int way;   ///< units_way of a lateral mode; 2: torsional; 3: axial
+    int way;   ///< mode_way
     bool seen; ///< the line has an oscillating mode at some point
 } line_end;
 
@@ -31,12 +31,6 @@ static bool follows(const whirl_table *table, size_t point) {
            whirl_table_slot(table, point) == whirl_table_slot(table, point - 1) + 1;
 }
 
-/// Returns units_way of a lateral mode; 2 for a torsional, 3 for an axial one.
-static int mode_way(const whirl_table *table, size_t point, size_t mode, double direction) {
-    const whirl_mode_kind kind = mode_kind(table, point, mode);
-    return kind == WHIRL_TORSIONAL_MODE ? 2 : kind == WHIRL_AXIAL_MODE ? 3 : units_way(direction);
-}
-
 /// Assigns every mode of every point to a line, and finds the ends of the lines, ends [points x modes]. Modes whose
 /// frequencies are known only modulo the speed are on no line, since frequencies fold.
 static void mode_lines_follow(const whirl_table *table, mode_lines *out, line_end *ends) {
@@ -45,7 +39,6 @@ static void mode_lines_follow(const whirl_table *table, mode_lines *out, line_en
     for (size_t point = 0; point < table->count; point++) {
         size_t *const own = out->line + point * modes;
         const double *frequency = whirl_table_field(table, point, WHIRL_FIELD_MODES_FREQUENCY, 0);
-        const double *direction = whirl_table_field(table, point, WHIRL_FIELD_MODES_DIRECTION, 0);
         const double *before = whirl_table_field(table, point, WHIRL_FIELD_MODES_BEFORE, 0);
         const bool folds = isfinite(whirl_table_number(table, point, WHIRL_FIELD_MODES_MODULO, 0));
         const bool joined = follows(table, point);
@@ -60,7 +53,7 @@ static void mode_lines_follow(const whirl_table *table, mode_lines *out, line_en
                 ends[own[i]].line = own[i];
             }
             if (!mode_is_overdamped(table, point, i))
-                ends[own[i]] = (line_end){own[i], point, frequency[i], mode_way(table, point, i, direction[i]), true};
+                ends[own[i]] = (line_end){own[i], point, frequency[i], mode_way(table, point, i), true};
         }
     }
 }
@@ -81,10 +74,23 @@ static void name_lines(const whirl_table *table, mode_lines *out, line_end *ends
         snprintf(out->names[ends[i].line], MODE_NAME, "%u%c", ++counts[ends[i].way + 1], letters[ends[i].way + 1]);
 }
 
-whirl_mode_kind mode_kind(const whirl_table *table, size_t point, size_t mode) {
+int mode_way(const whirl_table *table, size_t point, size_t mode) {
     const double *torsion = whirl_table_field(table, point, WHIRL_FIELD_MODES_TORSION, 0);
     const double *axial = whirl_table_field(table, point, WHIRL_FIELD_MODES_AXIAL_SHARE, 0);
-    return whirl_mode_kind_of(torsion ? torsion[mode] : 0.0, axial ? axial[mode] : 0.0);
+    const double *direction = whirl_table_field(table, point, WHIRL_FIELD_MODES_DIRECTION, 0);
+    switch (whirl_mode_kind_of(torsion ? torsion[mode] : 0.0, axial ? axial[mode] : 0.0)) {
+    case WHIRL_TORSIONAL_MODE:
+        return MODE_TORSIONAL;
+    case WHIRL_AXIAL_MODE:
+        return MODE_AXIAL;
+    default:
+        return units_way(direction ? direction[mode] : 0.0);
+    }
+}
+
+const char *mode_way_name(int way) {
+    static const char *const names[] = {"backward", "to and fro", "forward", "torsional", "axial"};
+    return names[way - MODE_BACKWARD];
 }
 
 bool mode_is_overdamped(const whirl_table *table, size_t point, size_t mode) {

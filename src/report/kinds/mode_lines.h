@@ -9,6 +9,15 @@
 /// Overdamped modes are on no line.
 enum { MODE_NAME = 24 };
 
+/// Ways of modes: those of lateral ones as units_way returns them, and the others.
+enum { MODE_BACKWARD = -1, MODE_TO_AND_FRO, MODE_FORWARD, MODE_TORSIONAL, MODE_AXIAL };
+
+/// Returns the way of a mode at a point.
+int mode_way(const whirl_table *table, size_t point, size_t mode);
+
+/// Returns the name of a way: "backward", "axial".
+const char *mode_way_name(int way);
+
 typedef struct mode_lines {
     size_t count, modes;      ///< number of lines, and of modes of a point
     size_t *line;             ///< [points][modes] line of each mode; SIZE_MAX: none

@@ -3,7 +3,7 @@
 #define REPORT_SHOWN_KINDS_H
 
 #include "findings_build.h"
-#include "whirl/engine/linear.h"
+#include "mode_lines.h"
 #include "whirl/engine/result.h"
 #include "whirl/engine/spread.h"
 #include "whirl/internal/model.h"
@@ -80,7 +80,7 @@ const char *fit_determined(const double *row);
 void fit_name_probe(const whirl_result *result, const double *row, char *name, size_t size);
 
 /// Adds the findings on torsional modes in a table of modes: their excitations and separations.
-void find_torsion(const finder *of);
+void find_torsion(const finder *of, const mode_lines *lines);
 
 /// An excitation of torsion: `order` times the speed of the shaft or, with `line`, times the frequency of the electric
 /// line.
@@ -105,9 +105,6 @@ void twists_name_excitation(const whirl_table *table, size_t index, char *name, 
 
 /// Chooses the torques of a response with the largest sums, at most `most`, the largest first; returns their number.
 size_t twists_choose(const whirl_table *table, size_t most, size_t *chosen);
-
-/// Returns the kind of a mode at a point.
-whirl_mode_kind mode_kind(const whirl_table *table, size_t point, size_t mode);
 
 /// Returns true for a mode with a damping ratio above WHIRL_OVERDAMPED_RATIO.
 bool mode_is_overdamped(const whirl_table *table, size_t point, size_t mode);

@@ -18,16 +18,13 @@ static void mode_columns(const finder *of, whirl_sheet *sheet) {
 }
 
 /// Writes the cells of a mode in these columns; a damping ratio as small as rounding becomes 0.
-static void mode_cells(const finder *of, whirl_sheet *sheet, double frequency, double damping, double direction,
-                       whirl_mode_kind kind) {
-    static const char *const ways[] = {"backward", "to and fro", "forward"};
-    static const char *const kinds[] = {[WHIRL_TORSIONAL_MODE] = "torsional", [WHIRL_AXIAL_MODE] = "axial"};
+static void mode_cells(const finder *of, whirl_sheet *sheet, double frequency, double damping, int way) {
     const double rounding = 1e-10, ratio = fabs(damping) < rounding ? 0.0 : damping;
     cell_number(of, sheet, frequency);
     cell_number(of, sheet, frequency);
     cell_number(of, sheet, ratio);
     cell_number(of, sheet, fabs(ratio) < 1.0 ? two_pi * ratio / sqrt(1.0 - ratio * ratio) : (double)NAN);
-    cell_text(of, sheet, kind == WHIRL_LATERAL_MODE ? ways[units_way(direction) + 1] : kinds[kind]);
+    cell_text(of, sheet, mode_way_name(way));
 }
 
 int shown_modes_growing(const whirl_table *table, size_t point) {
@@ -151,16 +148,16 @@ static void find_critical(const finder *of) {
         const double *row = whirl_table_field(of->table, point, WHIRL_FIELD_MODES_CRITICAL, 0);
         for (size_t i = 0; row && whirl_table_done(of->table, point) && i < field->rows; i++, row += field->columns) {
             if (!(row[0] >= WHIRL_CRITICAL_SPEED && row[0] <= WHIRL_AXIAL_SPEED)) continue;
-            const whirl_mode_kind kind = row[0] == WHIRL_TORSIONAL_SPEED ? WHIRL_TORSIONAL_MODE
-                                         : row[0] == WHIRL_AXIAL_SPEED   ? WHIRL_AXIAL_MODE
-                                                                         : WHIRL_LATERAL_MODE;
+            const int way = row[0] == WHIRL_TORSIONAL_SPEED ? MODE_TORSIONAL
+                            : row[0] == WHIRL_AXIAL_SPEED   ? MODE_AXIAL
+                                                            : units_way(row[5]);
             changes += row[0] == WHIRL_ONSET || row[0] == WHIRL_RECOVERY;
-            if (kind == WHIRL_LATERAL_MODE && located++ < MAX_LOCATED) phrase_change(of, &found, row);
+            if (way <= MODE_FORWARD && located++ < MAX_LOCATED) phrase_change(of, &found, row);
             sheet_row(of, sheet);
             cell_text(of, sheet, names[(int)row[0]]);
             cell_number(of, sheet, row[1]);
             if (!speeds) cell_number(of, sheet, row[2]);
-            mode_cells(of, sheet, row[3], row[4], row[5], kind);
+            mode_cells(of, sheet, row[3], row[4], way);
         }
     }
     find_sheet_end(of);
@@ -178,12 +175,9 @@ static void find_critical(const finder *of) {
 }
 
 /// Adds the sheet of the lowest modes at the first and the last value.
-static void find_lowest(const finder *of, const size_t *ends, size_t count) {
-    // Follow the modes along the parameter: a mode has the name of its line.
-    const whirl_field *field = whirl_layout_field(&of->table->layout, WHIRL_FIELD_MODES_FREQUENCY);
-    mode_lines lines;
-    if (!mode_lines_of(of->table, &lines)) lines = (mode_lines){.line = NULL};
+static void find_lowest(const finder *of, const mode_lines *lines, const size_t *ends, size_t count) {
     // Set up the columns.
+    const whirl_field *field = whirl_layout_field(&of->table->layout, WHIRL_FIELD_MODES_FREQUENCY);
     whirl_sheet *sheet = find_sheet(of, "lowest", "Lowest modes");
     sheet_values(of, sheet, "", 6);
     sheet_column(of, sheet, "mode", "mode", WHIRL_QUANTITY_NUMBER, 4);
@@ -193,27 +187,23 @@ static void find_lowest(const finder *of, const size_t *ends, size_t count) {
     for (const size_t *point = ends; point < ends + count; point++) {
         const double *frequency = whirl_table_field(of->table, *point, WHIRL_FIELD_MODES_FREQUENCY, 0);
         const double *ratios = whirl_table_field(of->table, *point, WHIRL_FIELD_MODES_DAMPING_RATIO, 0);
-        const double *direction = whirl_table_field(of->table, *point, WHIRL_FIELD_MODES_DIRECTION, 0);
         for (size_t i = 0; field && frequency && i < field->rows && isfinite(frequency[i]); i++) {
             sheet_row(of, sheet);
             cell_value(of, sheet, *point);
             cell_number(of, sheet, (double)i + 1.0);
-            cell_text(of, sheet, find_text(of->findings, "%s", mode_lines_name(&lines, *point, i)));
-            mode_cells(of, sheet, frequency[i], ratios[i], direction[i], mode_kind(of->table, *point, i));
+            cell_text(of, sheet, find_text(of->findings, "%s", mode_lines_name(lines, *point, i)));
+            mode_cells(of, sheet, frequency[i], ratios[i], mode_way(of->table, *point, i));
         }
     }
     find_sheet_end(of);
-    mode_lines_free(&lines);
 }
 
 /// Adds the sheet of the shapes of torsional or axial modes at a point, by their field of twists or axial
 /// displacements.
-static void find_shapes(const finder *of, size_t point, whirl_mode_kind kind, const char *field) {
-    const bool torsional = kind == WHIRL_TORSIONAL_MODE;
+static void find_shapes(const finder *of, const mode_lines *lines, size_t point, int way, const char *field) {
+    const bool torsional = way == MODE_TORSIONAL;
     const whirl_field *shape = whirl_layout_field(&of->table->layout, field);
-    mode_lines lines;
     if (!shape || shape->rows == 0) return;
-    if (!mode_lines_of(of->table, &lines)) lines = (mode_lines){.line = NULL};
     whirl_sheet *sheet =
         torsional ? find_sheet(of, "twists", "Shapes of torsional modes: twists of the stations")
                   : find_sheet(of, "axial_shapes", "Shapes of axial modes: axial displacements of the stations");
@@ -226,18 +216,17 @@ static void find_shapes(const finder *of, size_t point, whirl_mode_kind kind, co
         sheet_column(of, sheet, "axial", "axial displacement", WHIRL_QUANTITY_NUMBER, 4);
     for (size_t i = 0; i < shape->rows; i++) {
         const double frequency = whirl_table_field(of->table, point, WHIRL_FIELD_MODES_FREQUENCY, 0)[i];
-        if (!isfinite(frequency) || mode_kind(of->table, point, i) != kind) continue;
+        if (!isfinite(frequency) || mode_way(of->table, point, i) != way) continue;
         for (size_t s = 0; s < of->result->station_count; s++) {
             const double *moved = whirl_table_field(of->table, point, field, s) + 2 * i;
             sheet_row(of, sheet);
-            cell_text(of, sheet, find_text(of->findings, "%s", mode_lines_name(&lines, point, i)));
+            cell_text(of, sheet, find_text(of->findings, "%s", mode_lines_name(lines, point, i)));
             cell_number(of, sheet, frequency);
             cell_station(of, sheet, s);
             cell_number(of, sheet, copysign(hypot(moved[0], moved[1]), moved[0]));
         }
     }
     find_sheet_end(of);
-    mode_lines_free(&lines);
 }
 
 /// Displacements at rest that are rounding, m.
@@ -272,12 +261,17 @@ static void modes_find(const finder *of) {
         find_limits(of, *point);
         find_sensitivity(of, *point);
     }
-    find_lowest(of, ends, count);
-    find_torsion(of);
-    if (count == 0) return;
-    find_shapes(of, ends[count - 1], WHIRL_TORSIONAL_MODE, WHIRL_FIELD_MODES_TWIST);
-    find_shapes(of, ends[count - 1], WHIRL_AXIAL_MODE, WHIRL_FIELD_MODES_AXIAL);
-    find_axial_rest(of, ends, count);
+    // Follow the modes along the parameter: a mode has the name of its line.
+    mode_lines lines;
+    if (!mode_lines_of(of->table, &lines)) lines = (mode_lines){.line = NULL};
+    find_lowest(of, &lines, ends, count);
+    if (count > 0) {
+        find_torsion(of, &lines);
+        find_shapes(of, &lines, ends[count - 1], MODE_TORSIONAL, WHIRL_FIELD_MODES_TWIST);
+        find_shapes(of, &lines, ends[count - 1], MODE_AXIAL, WHIRL_FIELD_MODES_AXIAL);
+        find_axial_rest(of, ends, count);
+    }
+    mode_lines_free(&lines);
 }
 
 const shown_kind shown_modes = {.field = WHIRL_FIELD_MODES_FREQUENCY,

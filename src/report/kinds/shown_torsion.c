@@ -72,7 +72,7 @@ static bool torsion_separate(const whirl_table *table, const mode_lines *lines, 
 /// Returns true if any point of a line is a torsional mode.
 static bool torsion_of_line(const whirl_table *table, const mode_lines *lines, size_t line) {
     for (size_t i = 0; i < table->count * lines->modes; i++)
-        if (lines->line[i] == line && mode_kind(table, i / lines->modes, i % lines->modes) == WHIRL_TORSIONAL_MODE)
+        if (lines->line[i] == line && mode_way(table, i / lines->modes, i % lines->modes) == MODE_TORSIONAL)
             return true;
     return false;
 }
@@ -170,16 +170,10 @@ static void torsion_justify(const finder *of) {
     }
 }
 
-void find_torsion(const finder *of) {
-    size_t ends[2];
-    const size_t done = find_ends(of->table, ends);
+void find_torsion(const finder *of, const mode_lines *lines) {
     separation least = {.had = NAN};
-    mode_lines lines;
-    if (done == 0 || !whirl_layout_field(&of->table->layout, WHIRL_FIELD_MODES_TORSION)) return;
-    if (!mode_lines_of(of->table, &lines)) lines = (mode_lines){.line = NULL};
-    if (lines.line && torsion_sheet(of, &lines, &least) > 0 && margin_asked(of->table)) {
-        torsion_judge(of, &lines, &least);
-        if (least.had < asked_separation) torsion_justify(of);
-    }
-    mode_lines_free(&lines);
+    if (!lines->line || !whirl_layout_field(&of->table->layout, WHIRL_FIELD_MODES_TORSION)) return;
+    if (torsion_sheet(of, lines, &least) == 0 || !margin_asked(of->table)) return;
+    torsion_judge(of, lines, &least);
+    if (least.had < asked_separation) torsion_justify(of);
 }
