@@ -91,39 +91,33 @@ static whirl_status check_turning(const key_value *values, const assembly *to) {
     return whirl_ok();
 }
 
-/// Checks that both stations move along an axis, unless one is the ground.
-static whirl_status check_axis(const key_value *values, const assembly *to, axis along) {
-    whirl_status status = whirl_ok();
-    for (size_t i = 0; i < 2 && status.code == WHIRL_OK; i++) {
-        size_t coordinate;
-        const size_t station = values[BETWEEN].station[i];
-        if (station != GROUND) status = assembly_find(to, station, along, &coordinate);
-    }
-    return status;
-}
-
-/// Joins the twists of both stations. WHIRL_BAD_INPUT if one of them does not twist.
-static whirl_status join_twists(const key_value *values, assembly *to) {
+/// Joins the twists or the axial displacements of both stations. WHIRL_BAD_INPUT if one of them does not move that way.
+static whirl_status coupling_join(const key_value *values, assembly *to, axis along, const joining *by) {
     const size_t *station = values[BETWEEN].station;
-    const whirl_status status = check_axis(values, to, AXIS_TWIST);
-    if (status.code != WHIRL_OK) return status;
-    const double outer = values[DIAMETER].number, inner = values[BORE].number;
-    if (values[BORE].given && !(values[DIAMETER].given && inner < outer))
-        return whirl_fail(WHIRL_BAD_INPUT, "has an inner diameter, expected a greater outer one (diameter)");
-    const joining by = {.stiffness = values[TWIST].number,
-                        .damping = values[TWIST_DAMPING].number,
-                        .modulus = values[DIAMETER].given ? joining_modulus(outer, inner) : 0.0};
-    assembly_link(to, AXIS_TWIST, station[0], station[1], &by);
+    for (size_t i = 0; i < 2; i++) {
+        size_t coordinate;
+        if (station[i] == GROUND) continue;
+        const whirl_status status = assembly_find(to, station[i], along, &coordinate);
+        if (status.code != WHIRL_OK) return status;
+    }
+    assembly_link(to, along, station[0], station[1], by);
     return whirl_ok();
 }
 
-/// Joins both stations along the shafts. WHIRL_BAD_INPUT if one of them does not move that way.
-static whirl_status join_axially(const key_value *values, assembly *to) {
-    const joining by = {.stiffness = values[AXIAL].number, .damping = values[AXIAL_DAMPING].number};
-    const whirl_status status = check_axis(values, to, AXIS_AXIAL);
-    if (status.code == WHIRL_OK)
-        assembly_link(to, AXIS_AXIAL, values[BETWEEN].station[0], values[BETWEEN].station[1], &by);
+static whirl_status join_twists(const key_value *values, assembly *to) {
+    const double outer = values[DIAMETER].number, inner = values[BORE].number;
+    const joining by = {.stiffness = values[TWIST].number,
+                        .damping = values[TWIST_DAMPING].number,
+                        .modulus = values[DIAMETER].given ? joining_modulus(outer, inner) : 0.0};
+    const whirl_status status = coupling_join(values, to, AXIS_TWIST, &by);
+    if (status.code == WHIRL_OK && values[BORE].given && !(values[DIAMETER].given && inner < outer))
+        return whirl_fail(WHIRL_BAD_INPUT, "has an inner diameter, expected a greater outer one (diameter)");
     return status;
+}
+
+static whirl_status join_axially(const key_value *values, assembly *to) {
+    return coupling_join(values, to, AXIS_AXIAL,
+                         &(joining){.stiffness = values[AXIAL].number, .damping = values[AXIAL_DAMPING].number});
 }
 
 static whirl_status coupling_build(const key_value *values, assembly *to, element *out) {
