@@ -165,7 +165,7 @@ static void add_probes(whirl_rotor *rotor, const building *b) {
 }
 
 /// Fills in the coordinates of twists and axial displacements.
-static void add_twists(whirl_rotor *rotor, const assembly *from) {
+static void add_twists_and_axials(whirl_rotor *rotor, const assembly *from) {
     rotor->twist_count = from->twist_count;
     rotor->first_twist = from->first_twist;
     rotor->axial_count = from->axial_count;
@@ -382,7 +382,7 @@ static whirl_rotor *rotor_finish(building *b) {
         rotor->weight[b->assembly.degrees + own->row] += own->sin;
     }
     add_probes(rotor, b);
-    add_twists(rotor, &b->assembly);
+    add_twists_and_axials(rotor, &b->assembly);
     add_runouts(rotor, &b->assembly);
     add_groups(rotor, &b->assembly);
     add_numbers(rotor, b);

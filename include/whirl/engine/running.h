@@ -82,6 +82,9 @@ typedef struct whirl_run_course {
     double (*value)(void *owner, whirl_run_formula formula);
 } whirl_run_course;
 
+/// Returns the index of the first row of the table of speeds after a time, s, or the number of rows if there is none.
+size_t whirl_run_course_next(const whirl_run_course *course, double time);
+
 /// The motion of the shaft: its rate or drive, and the events that have happened.
 typedef struct whirl_turning {
     bool driven;                    ///< the torques of the machine's drive turn the shaft; else it has the given rate

@@ -187,10 +187,10 @@ static whirl_status modes_compute(const whirl_resting *point, const whirl_record
         const whirl_probe *probe = &point->system->probes[p];
         for (size_t c = 0; c < 2; c++) view_numbers(view, REST, p)[c] = whirl_probe_value(probe, modes->rest, c);
     }
-    // The sensitivity of control loops.
-    whirl_sensitivity_peak sensitivity;
     whirl_status status = fill_axial_rest(point->system, modes->rest, view);
     if (status.code != WHIRL_OK) return status;
+    // The sensitivity of control loops.
+    whirl_sensitivity_peak sensitivity;
     status = whirl_loops_peak(point->system, modes, &sensitivity);
     *view_numbers(view, SENSITIVITY, 0) = sensitivity.peak;
     *view_numbers(view, SENSITIVITY_FREQUENCY, 0) = point->clock * sensitivity.frequency;

@@ -565,14 +565,14 @@ static size_t runup_list_event(const runner *r, size_t k, coming *list) {
     return count;
 }
 
-/// Returns the index of the first row of the speed table after the present time, or the number of rows if there is
-/// none.
-static size_t runup_next_corner(const runner *r) {
-    const whirl_run_course *course = r->plan->course;
-    const double time = runup_time_of(r, r->x) * (1.0 + 1e-12);
+size_t whirl_run_course_next(const whirl_run_course *course, double time) {
     size_t k = 0;
     while (k < course->speed_count && course->speed_times[k] <= time) k++;
     return k;
+}
+
+static size_t runup_next_corner(const runner *r) {
+    return whirl_run_course_next(r->plan->course, runup_time_of(r, r->x) * (1.0 + 1e-12));
 }
 
 /// Lists everything that may happen in the present state of the run.
