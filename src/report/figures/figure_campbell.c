@@ -424,8 +424,9 @@ static void describe_decrement(const drawing *of, const figure_place *place, whi
     snprintf(figure->caption, sizeof figure->caption,
              "Logarithmic decrement of the lowest modes over %s, followed by shape and frequency from value to value. "
              "Names count by rising frequency at the last value, then those that end before it; F: forward (solid), B: "
-             "backward, M: to and fro (dashed). Grey: 0, below which a mode grows, and %g.",
-             v.table->parameter, asked_decrement);
+             "backward, M: to and fro (dashed)%s%s. Grey: 0, below which a mode grows, and %g.",
+             v.table->parameter, table_has(v.table, WHIRL_FIELD_MODES_TORSION) ? ", T: torsional" : "",
+             table_has(v.table, WHIRL_FIELD_MODES_AXIAL_SHARE) ? ", A: axial" : "", asked_decrement);
     mode_lines_free(&v.lines);
 }
 

@@ -7,6 +7,7 @@
 #include "figure_build.h"
 #include "figure_kinds.h"
 #include "margins.h"
+#include "mode_lines.h"
 #include "units.h"
 
 static void critical_speeds_list(figure_list *to, const drawing *of, const whirl_table *table) {
@@ -32,7 +33,6 @@ static double speed_of(const whirl_table *table, size_t point, int direction, si
 /// legend.
 static void add_direction(whirl_figure *figure, whirl_panel *panel, const drawing *of, const whirl_table *table,
                           int direction, double unit) {
-    static const char *const names[] = {"backward", "to and fro", "forward"};
     static const char *const colours[] = {"#D55E00", "#606060", "#0072B2"};
     // Add lines until no point has a critical speed of that number.
     const double size = whirl_shown_parameter(of->units, table->parameter).size;
@@ -47,7 +47,7 @@ static void add_direction(whirl_figure *figure, whirl_panel *panel, const drawin
                 continue;
             }
             if (!line)
-                line = panel_named(figure, panel, WHIRL_LINE, which == 0 ? names[direction + 1] : "",
+                line = panel_named(figure, panel, WHIRL_LINE, which == 0 ? mode_way_name(direction) : "",
                                    colours[direction + 1], 0.8);
             if (line) line->dashed = direction < 0;
             series_add(figure, line, table->values[point] / size, speed / unit);

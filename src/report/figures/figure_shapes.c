@@ -84,6 +84,7 @@ static void shapes_describe(const drawing *of, const figure_place *place, whirl_
     free(moved);
     bends_free(bends);
     // Describe the panels.
+    const bool twists = table_has(table, WHIRL_FIELD_MODES_TWIST), axial = table_has(table, WHIRL_FIELD_MODES_AXIAL);
     units_point_label(of->units, table, table->count - 1, label, sizeof label);
     snprintf(
         figure->caption, sizeof figure->caption,
@@ -93,8 +94,10 @@ static void shapes_describe(const drawing *of, const figure_place *place, whirl_
         !places.shafts     ? "the stations"
         : places.aside > 0 ? "the place of the stations along the shaft, and those on no shaft"
                            : "the place of the stations along the shaft",
-        table_has(table, WHIRL_FIELD_MODES_TWIST) ? ", purple the twist of torsional modes" : "",
-        table_has(table, WHIRL_FIELD_MODES_AXIAL) ? ", purple the axial displacement of axial modes" : "",
+        twists ? ", purple the twist of torsional modes" : "",
+        !axial   ? ""
+        : twists ? " and the axial displacement of axial ones"
+                 : ", purple the axial displacement of axial modes",
         along_caption(&places));
     layout_free(places.layout);
 }
