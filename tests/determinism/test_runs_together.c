@@ -155,6 +155,7 @@ static bool compute(const char *text, size_t count, const size_t *which, fan *ou
     require_ok(whirl_case_study(object, &study));
     const whirl_batch *batch = &study.batches[0];
     for (size_t i = 0; i < count; i++) {
+        statuses[i] = whirl_ok();
         at[i] = (run_point){.study = &study, .value = 0.8 + 0.1 * (double)which[i]};
         require_ok(run_point_machine(&at[i], 0.0, &machines[i]));
         points[i] = (whirl_resting){.system = machines[i].system,
