@@ -128,7 +128,8 @@ static void phrase_moment(const balance_view *v, whirl_phrase *phrase, const dou
     phrase_text(&v->to, phrase, " at %.4g deg", balance_degrees(moment, balance_way_of_angles(v->of)));
 }
 
-/// Writes the vibration that remains without a plane or set: "2.028 um in the mean square in place of 1.067 um".
+/// Writes the vibration that remains if a plane or weight set is left out: "2.028 um in the mean square in place
+/// of 1.067 um".
 static void phrase_left(const balance_view *v, whirl_phrase *phrase) {
     phrase_amplitude(v, phrase, v->found->reduced.left);
     phrase_text(&v->to, phrase, " %s in place of ", v->of->least_max ? "at most" : "in the mean square");
@@ -283,15 +284,14 @@ static void find_correction_statements(const balance_view *v) {
     if (!v->found->found) return;
     // Name the criterion, and for two planes the static part and the couple.
     if (of->least_max)
-        phrase_text(&v->to, &find_statement(&v->to, "correction")->found,
-                    "that by which the largest vibration is the least");
+        phrase_text(&v->to, &find_statement(&v->to, "correction")->found, "minimizes the largest vibration");
     if (of->plane_count == 2) {
         balance_static(v->found, sum, half);
         whirl_phrase *phrase = &find_statement(&v->to, "static part of the correction")->found;
         phrase_moment(v, phrase, sum);
         phrase = &find_statement(&v->to, "couple of the correction")->found;
         phrase_moment(v, phrase, half);
-        phrase_text(&v->to, phrase, " in %s, against it in %s", of->planes[0].name, of->planes[1].name);
+        phrase_text(&v->to, phrase, " in %s, the opposite in %s", of->planes[0].name, of->planes[1].name);
     }
     // State how far off the vibration may be, and what a simpler correction would leave.
     if (v->found->row_count > 0 && isfinite(v->found->rows[0].worst))
@@ -358,7 +358,7 @@ static void cell_angle(const balance_view *v, whirl_sheet *sheet, const double v
 
 static void find_slow_roll(const balance_view *v) {
     const finder *to = &v->to;
-    whirl_sheet *sheet = find_sheet(to, "slow-roll", "Slow roll, taken off the readings");
+    whirl_sheet *sheet = find_sheet(to, "slow-roll", "Slow roll, subtracted from the readings");
     sheet_texts(to, sheet, "probe", "probe");
     sheet_units(to, sheet, "amplitude", "amplitude", &v->amplitude, 4);
     sheet_column(to, sheet, "phase", phase_word(v), WHIRL_QUANTITY_DEGREES, 4);

@@ -19,7 +19,8 @@ static json_t *vector(bool *well, const double of[2], const char *size, double w
     return made;
 }
 
-/// Returns a JSON list with a vector for every plane.
+/// Returns a JSON object with a vector for every plane, by the plane's name. `size` is the key of a vector's length,
+/// `way` the sense of its angle (1 or -1).
 static json_t *by_plane(bool *well, const whirl_balance *of, const double (*vectors)[2], const char *size, double way) {
     json_t *made = json_object();
     for (size_t p = 0; p < of->plane_count; p++)

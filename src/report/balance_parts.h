@@ -32,7 +32,7 @@ void balance_name(const whirl_balance *of, size_t n, char *text, size_t size);
 bool balance_reason_text(const whirl_balance *of, const whirl_balance_model *model, const whirl_correction *found,
                          const char *units, size_t n, char text[STATEMENT_SIZE]);
 
-/// Writes a warning by its index, "" past the last, in the same units. Returns false without memory.
+/// Writes a warning by its index, "" past the last. units: NULL for those of the file. Returns false without memory.
 bool balance_warning_text(const whirl_balance *of, const whirl_correction *found, const char *units, size_t index,
                           char text[STATEMENT_SIZE]);
 

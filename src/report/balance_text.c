@@ -1,4 +1,4 @@
-// Balances a rotor from a text to a text (JSON), for programs in other languages.
+// Balances a rotor for programs in other languages: reads the text of a job, and returns the result as a text (JSON).
 #include "text_written.h"
 #include "whirl/engine/case.h"
 #include "whirl/handles.h"

@@ -165,7 +165,7 @@ static void find_shape(const finder *of, const whirl_bearing *bearing) {
     phrase_text(of, phrase, " (L/D %.4g), radial clearance ", bearing->pads.ratio);
     phrase_number(of, phrase, WHIRL_QUANTITY_LENGTH, 6, bearing->pad_clearance);
     phrase_text(of, phrase, " of the pads");
-    // With preload, the bearing has a clearance of its own.
+    // With preload, the clearance of the bearing is not that of its pads.
     if (most != 0.0) {
         phrase_text(of, phrase, ", ");
         phrase_number(of, phrase, WHIRL_QUANTITY_LENGTH, 6, bearing->clearance);
@@ -290,7 +290,7 @@ static void find_coefficients(const finder *of, const whirl_bearing_table *table
     const whirl_bearing *bearing = table->bearing;
     const size_t ratios = bearing->pads.tilting ? bearing->ratio_count : 1;
     whirl_sheet *sheet = find_sheet(of, "coefficients", "Stiffness and damping");
-    if (bearing->pads.tilting) sheet->about = "Of tilting pads, which follow at the whirl ratio.";
+    if (bearing->pads.tilting) sheet->about = "Tilting pads follow the whirl of the journal at the whirl ratio.";
     sheet_place(of, sheet);
     if (bearing->pads.tilting) sheet_column(of, sheet, "whirl_ratio", "whirl ratio", WHIRL_QUANTITY_NUMBER, 4);
     sheet_coefficients(of, sheet, names);

@@ -96,7 +96,8 @@ static json_t *both(bool *well, const double (*of)[2][2]) {
 
 /// Writes the full stiffness (which 0) or damping (1) matrix for x, y (m), tilts (rad) and, if pivots are elastic,
 /// pivot displacements (m). The film of a pad depends on (x, y) - R tilt t - displacement n, with t along the pad and n
-/// outwards. unit: of the films' coefficients; pivot: coefficient of pivots, on the diagonal of their displacements.
+/// outwards. unit: factor from the film's dimensionless coefficients to SI. pivot: stiffness or damping of a pivot in
+/// SI, added on the diagonal of its displacement.
 static void fill_full(const whirl_bearing *of, const whirl_bearing_point *point, int which, double unit, double pivot,
                       double *out) {
     const size_t pads = of->pads.count, moves = of->pivot_stiffness > 0.0 ? 2 : 1;

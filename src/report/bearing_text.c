@@ -1,4 +1,5 @@
-// Computes a bearing from a text to a text (JSON), for programs in other languages.
+// Computes a bearing for programs in other languages: reads the text of its file, and returns the result as a text
+// (JSON).
 #include <stdlib.h>
 
 #include "text_written.h"

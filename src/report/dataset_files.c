@@ -17,7 +17,7 @@ const whirl_table *whirl_result_records(const whirl_result *result) {
     return NULL;
 }
 
-/// Writes the name of label or parameter `number`, which is in a fact of the result.
+/// Writes the name of label or parameter `number` (what: "label", ...), which the result stores as a fact.
 static void put_name(FILE *stream, const whirl_result *result, const char *what, size_t number) {
     char name[WHIRL_NAME_SIZE];
     records_fact(result, what, number, name);
@@ -128,7 +128,7 @@ whirl_status whirl_dataset_write_sheet(const whirl_result *result, const char *n
         "- Sets are divided by machine: %.3g %% for training, %.3g %% for validation, the rest for testing. Windows "
         "of one record, or records of one machine, in two sets show a classifier what it should find.\n"
         "- %s\n"
-        "- Any record is made anew by `whirl run CASE.yaml --set dataset.only=NUMBER`, with the same bits on the "
+        "- Any record is computed again by `whirl run CASE.yaml --set dataset.only=NUMBER`, with the same bits on the "
         "same instruction set.\n",
         runs ? table->record.runup.method : table->integrate.method,
         runs ? "Contact shows" : "Verdict and contact show", 100.0 * options->train, 100.0 * options->validation,

@@ -47,7 +47,7 @@ static void band_write(band_list *to, const whirl_spread_of *of) {
     if (!whirl_spread_place(to->result, to->table, of, &at) || at.field->rows != 1 || !band_is_new(to, &at)) return;
     const size_t places = whirl_table_places(to->table);
     const double period = whirl_spread_period(&at);
-    double before = NAN; // the last median, from which an angle goes on
+    double before = NAN; // the previous median; an angle is unwrapped to within half a period of it
     fputs(to->first ? ",\"bands\":[" : ",", to->stream);
     to->first = false;
     script_text_member(to->stream, '{', "parameter", to->table->parameter);

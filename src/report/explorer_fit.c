@@ -11,7 +11,8 @@
 #include "whirl/engine/study.h"
 #include "whirl/internal/fit_columns.h"
 
-/// Margin of the live diagram on both sides of the measured speeds, as part of their range; of a single speed.
+/// margin: margin of the live diagram on both sides of the measured speeds, as a share of their range. single_margin:
+/// margin if only one speed was measured, as a share of that speed.
 static const double margin = 0.04, single_margin = 0.4;
 
 /// A fit in a result, at its best point.
@@ -51,7 +52,8 @@ static void fit_see_use(void *context, const whirl_use *use) {
     if (use->alone && strcmp(use->path, "rotor.speed") == 0) *speed = use->parameter;
 }
 
-/// Edits a text in place of the old one, which is freed. Returns false after a failure.
+/// Sets a key of a case's text: frees the old text and puts the new one in its place. Returns false, with the text
+/// unchanged, after a failure.
 static bool fit_edit(char **text, const char *path, const char *value) {
     char *edited = NULL;
     if (whirl_case_edit(*text, strlen(*text), path, value, &edited).code != WHIRL_OK) return false;
@@ -109,7 +111,8 @@ static void fit_range(const stored_fit *fit, double range[2]) {
     range[1] += more;
 }
 
-/// Removes a key of the study from a text, which is freed; true if it is gone.
+/// Removes a key of the study from a case's text: frees the old text and puts the new one in its place. Returns false,
+/// with the text unchanged, if the key cannot be removed.
 static bool fit_remove(char **text, const char *key) {
     char path[WHIRL_NAME_SIZE + 8], *edited = NULL;
     snprintf(path, sizeof path, "study.%s", key);
@@ -130,16 +133,16 @@ static bool fit_clear_study(char **text) {
     return *groups != NULL;
 }
 
-/// Sets a number in a unit, "" for a plain one.
+/// Sets a key of a case's text to a number with a unit; unit "": a plain number. Returns false after a failure.
 static bool fit_set_number(char **text, const char *path, double number, const char *unit) {
     char value[2 * WHIRL_NAME_SIZE];
     snprintf(value, sizeof value, "%.8g%s%.60s", number, *unit ? " " : "", unit);
     return fit_edit(text, path, value);
 }
 
-/// Replaces the study of a text by motions of the fit, whatever its style: a sweep over the measured speeds (`swept`),
-/// or one motion if no parameter is the speed. They settle and are integrated as those of the fit, from its initial
-/// state. Returns false after a failure.
+/// Replaces the study of a text, whatever its YAML style, by motions of the fit: a sweep over the measured speeds
+/// (`swept`), or one motion if no parameter is the speed. The motions have the transient, the method and the initial
+/// state of the fit. Returns false after a failure.
 static bool fit_make_study(const stored_fit *fit, bool swept, char **text) {
     const char *speed = NULL, *unit = "";
     const whirl_fit_options *options = &fit->table->record.fit;
@@ -150,7 +153,7 @@ static bool fit_make_study(const stored_fit *fit, bool swept, char **text) {
         if (strcmp(fit->result->parameters[i].name, speed) == 0) unit = fit->result->parameters[i].unit;
     if (strcmp(unit, "1") == 0) unit = "";
     fit_range(fit, range);
-    // A new key comes before those that are there, so that the last one is added first.
+    // Keys are added in reverse order, since each new key is written before the existing keys of its mapping.
     bool well = fit_clear_study(text);
     well = well && fit_edit(text, "study.analyze",
                             contacts ? "[poincare, regime, lyapunov, spectrum, orbit, rub]"
@@ -170,7 +173,7 @@ static bool fit_make_study(const stored_fit *fit, bool swept, char **text) {
 /// study. NULL if there is no such case. The caller frees it.
 static char *fit_live_text(const stored_fit *fit) {
     if (!fit->machine || !fit->result->case_text || !*fit->result->case_text) return NULL;
-    // Machines that cannot be made over the whole range have one motion.
+    // Try a sweep over the speeds first; if the machine cannot be made over their whole range, take one motion.
     for (int swept = 1; swept >= 0; swept--) {
         char *text = strdup(fit->result->case_text);
         if (text && fit_set_values(fit, &text) && fit_make_study(fit, swept != 0, &text) && fit_moves(text))

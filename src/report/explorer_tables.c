@@ -16,7 +16,7 @@ enum {
     MAX_CELLS = 1 << 20,
     MAX_CELLS_IN_FULL = 1 << 14,
     MAX_SECTION = 1 << 20,
-    MIN_ROWS = 8,    ///< least number of rows of a section in such a map; with fewer it has no section
+    MIN_ROWS = 8,    ///< least number of rows of a section after thinning; with fewer rows the section is left out
     MAX_ROWS = 4096, ///< largest number of rows of a field of a motion
     MAX_AT_REST = 1 << 22,
     MAX_NUMBERED = 127, ///< largest number of attractors with colours of their own

@@ -79,7 +79,7 @@ static void put_verdict(bool *well, json_t *object, const whirl_table *table, si
     document_put(well, object, "verdict", document_text(name));
     document_put(well, object, "reason", document_text(reason));
     put_confidence(well, object, &verdict);
-    // Put the numbers from which it follows.
+    // Put the numbers from which the verdict follows.
     json_t *evidence = json_object();
     document_put(well, evidence, "exponent", document_number(verdict.exponent.value));
     document_put(well, evidence, "exponent_error", document_number(verdict.exponent.error));
@@ -139,7 +139,7 @@ static void put_exponents(bool *well, json_t *object, const whirl_table *table, 
 }
 
 // Returns an object with all numbers and rows of an analysis ("orbit/") at a point, station or contact: max_radius,
-// mean, ... newtons: factor of forces.
+// mean, ... newtons: factor from stored forces to N.
 static json_t *numbers_of(const char *analysis, whirl_extent extent, double newtons, bool *well,
                           const whirl_table *table, size_t point, size_t which) {
     const size_t length = strlen(analysis);

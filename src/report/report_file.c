@@ -14,7 +14,7 @@ whirl_status report_file_open(report_file *file, const char *folder, const char 
     if (length < 0 || (size_t)length >= sizeof file->path)
         return whirl_fail(WHIRL_IO_ERROR, "the path %.100s.../%.100s is too long", folder, name);
     snprintf(file->temporary, sizeof file->temporary, "%s.part", file->path);
-    // Remove an existing file of this name, and follow no link: another user may have prepared the folder.
+    // Remove an existing file of this name, and follow no symbolic link: another user may have planted one here.
     unlink(file->temporary);
     const int made = open(file->temporary, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
     file->stream = made >= 0 ? fdopen(made, "w") : NULL;

@@ -531,7 +531,7 @@ def several(result, own):
 
 
 def missed(result, own):
-    match = re.match(r"(\d+) for each point miss an attractor that (\S+) % of all lead to", own["found"]["text"])
+    match = re.match(r"(\d+) for each point: with a chance of 5 % they all miss an attractor to which (\S+) % of starts", own["found"]["text"])
     count = int(result.file[own["table"]].attrs["starts"])
     assert match and int(match[1]) == count and rounds_to(100 * (1 - 0.05 ** (1 / count)), match[2])
 

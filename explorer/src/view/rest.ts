@@ -153,7 +153,7 @@ export class RestView {
       parts.push('coefficients turn with the shaft: frequencies are known but for multiples of the speed');
     const closed = rest.closedContacts(point);
     if (closed.length > 0)
-      parts.push(`rests against ${closed.join(' and ')}, which small motions leave as it is there`);
+      parts.push(`rests against ${closed.join(' and ')}, which small motions do not open`);
     this.how.textContent = `${parts.join('; ')}.`;
   }
 

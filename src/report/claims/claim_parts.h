@@ -22,9 +22,11 @@ typedef struct claim_view {
 
 /// Counts over the computed points of a range.
 typedef struct claim_census {
-    size_t points, in_class[CLASS_COUNT], rubbing, rub_known, always, whipping, whip_known;
-    double rub_low, rub_high;         ///< values of the parameter between which there is contact
-    double largest_low, largest_high; ///< orders of the largest lines
+    size_t points, in_class[CLASS_COUNT]; ///< all points; points of each regime
+    size_t rubbing, rub_known, always;    ///< points with contact, with a known share of contact, always in contact
+    size_t whipping, whip_known;          ///< points in dry whip, points for which that is known
+    double rub_low, rub_high;             ///< values of the parameter between which there is contact
+    double largest_low, largest_high;     ///< orders of the largest lines
     size_t largest_known;
     double backward_low, backward_high;
     size_t backward_known;

@@ -20,11 +20,11 @@ typedef struct bifurcation {
     const whirl_case *machine; ///< case of the machine (machine_at.h), or NULL
     size_t station;
     span parameter, x, y, exponent, radius;
-    bool rub, confidence, both;
-    bool shaded;             ///< ranges with contact are shaded: some points have contact, but not all
-    bool present[MAX_KINDS]; ///< true for kinds of points that occur
-    size_t attractors; ///< number of attractors, each with a strip and a colour; 0: places have one start, and kinds
-                       ///< are regimes
+    bool rub, confidence, both; ///< the table has fields of contacts; of confidence; both directions of the sweep
+    bool shaded;                ///< ranges with contact are shaded: some points have contact, but not all
+    bool present[MAX_KINDS];    ///< true for kinds of points that occur
+    size_t attractors; ///< number of attractors, each with a strip and a colour; 0: every parameter value has one
+                       ///< start, and kinds are regimes
     const whirl_shown_units *units;
     double length, value; ///< factors from SI to displacements and parameter values as shown
     double share;         ///< largest share of the time in contact, with a margin

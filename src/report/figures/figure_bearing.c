@@ -99,7 +99,7 @@ static void add_values(whirl_figure *figure, whirl_panel *panel, const curves *d
 }
 
 /// Returns the range of the `count` quantities from `index` on, over all points. A constant quantity gets a margin
-/// above its rounding, and panels of several quantities get space for their legend.
+/// larger than its rounding error, and panels of several quantities get space for their legend.
 static span figure_bearing_range(const curves *drawn, int index, int count) {
     const double legend = count > 1 ? 0.16 : 0.0;
     span range = span_empty();

@@ -47,7 +47,7 @@ void series_add_box(whirl_figure *figure, whirl_series *series, span x, span y);
 void series_add_text(whirl_figure *figure, whirl_series *series, double x, double y, const char *text);
 void series_value(whirl_figure *figure, whirl_series *series, double value); ///< value of the last box
 
-/// Adds a hot spot, the part of a panel that shows a station.
+/// Adds a hot spot: the box of a panel that shows a station, which the explorer makes a button for that station.
 void panel_spot(whirl_figure *figure, whirl_panel *panel, const char *station, span x, span y);
 
 /// Adds a tick with a given text.
@@ -62,7 +62,7 @@ whirl_series *panel_level(whirl_figure *figure, whirl_panel *panel, double y, co
 whirl_series *panel_upright(whirl_figure *figure, whirl_panel *panel, double x, const char *colour, double width);
 
 /// Adds the series of another figure with the same panels, dashed; must be called before figure_finish. `own` and `its`
-/// name both figures in the legend. WHIRL_BAD_INPUT if axes have other units, or if colours have a meaning;
+/// name both figures in the legend. WHIRL_BAD_INPUT if axes have different units, or if colours show numbers;
 /// WHIRL_NO_MEMORY.
 whirl_status figure_overlay(whirl_figure *figure, const whirl_figure *other, const char *own, const char *its);
 
@@ -140,7 +140,7 @@ enum { SYMBOL_SIZE = 256 };
 /// are unchanged.
 void symbol_of(const char *name, char *text, size_t size);
 
-/// Returns the units with the scale of lengths as a symbol.
+/// Returns the units; if lengths are shown over a length scale with a name ("c"), the name becomes a symbol ("$c$").
 whirl_shown_units symbol_units(const whirl_shown_units *units);
 
 /// Writes the axis label of a parameter: symbol and unit.

@@ -121,8 +121,8 @@ static void add_modes(whirl_figure *figure, whirl_panel *panel, const view *v, c
 typedef struct line_end {
     size_t line, points; ///< index of the line; number of its shown points
     double at, number, height;
-    double step; ///< number in steps too small to see: names are ordered by it, so that rounding does not change their
-                 ///< order
+    double step; ///< `number` rounded to a step too small to see; names are ordered by it, so that rounding errors do
+                 ///< not change their order
     const char *name, *colour;
 } line_end;
 

@@ -53,11 +53,11 @@ static void describe_sag(const drawing *of, const figure_place *place, whirl_fig
     along_axis(figure, panel, of, &along);
     panel_level(figure, panel, 0.0, "#909090", 0.4);
     along_shape(figure, panel, &(along_curve){of, &along, moved && line->sag ? bends : NULL, moved, 1, 0}, values);
-    snprintf(
-        figure->caption, sizeof figure->caption,
-        "Shafts bent by their weight on their bearings, which hold them without giving way: from the straight line "
-        "that bearings without elevations lie on, upwards; marks at stations.%s",
-        along_caption(&along));
+    snprintf(figure->caption, sizeof figure->caption,
+             "Sag of the shafts by their weight on rigid bearings, measured upwards from the straight line on which "
+             "bearings "
+             "without elevations lie; marks at stations.%s",
+             along_caption(&along));
     free(moved);
     bends_free(bends);
     layout_free(along.layout);

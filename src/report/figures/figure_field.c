@@ -132,7 +132,7 @@ static void field_describe(const drawing *of, const figure_place *place, whirl_f
     bool down = false;
     for (size_t i = 0; i < place->table->count; i++) down = down || place->table->branch[i] < 0;
     snprintf(figure->caption, sizeof figure->caption, "%.250s%s%s.", figure->title,
-             kinds > 1 ? ", coloured by regime" : "", down ? "; crosses: carried down" : "");
+             kinds > 1 ? ", coloured by regime" : "", down ? "; crosses: followed from the last value on" : "");
 }
 
 const figure_kind field_figure = {.describe = field_describe, .find = field_find};

@@ -199,7 +199,8 @@ static whirl_status figure_of_result(shown_result *shown, const char *name, whir
     return status.code == WHIRL_OK ? figure_described(&shown->of, &shown->list.items[at], figure) : status;
 }
 
-/// Shows a result in the units of another one; lengths over the scale of a case are shown over that of the other.
+/// Shows a result in the units of the first one. Lengths that the first result shows over its length scale are shown
+/// over the same scale.
 static void shown_like(shown_result *shown, const shown_result *first) {
     const double length = first->units.length * shown->view->length_scale / first->view->length_scale;
     shown->units = first->units;

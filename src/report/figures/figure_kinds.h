@@ -72,7 +72,7 @@ void map_describe(const drawing *of, const figure_place *place, whirl_figure *fi
 void list_figure(figure_list *list, const figure_place *place, const char *name, const char *title, ...)
     __attribute__((format(printf, 4, 5)));
 
-/// Lists all figures of a result; the caller frees the list by free(). WHIRL_NO_MEMORY.
+/// Lists all figures of a result; the caller frees list->items by free(). WHIRL_NO_MEMORY.
 whirl_status figures_list(const drawing *of, figure_list *list);
 
 /// Makes a figure of the list. WHIRL_NO_MEMORY, and WHIRL_BAD_INPUT for panels that it does not have.

@@ -4,8 +4,8 @@
 
 #include "figure_build.h"
 
-// Margins around a panel in cm: BARE left of its numbers, LABEL for the vertical label, RIGHT, BELOW with numbers and
-// label, APART below without these, TITLE above.
+// Margins around a panel in cm: BARE left of its numbers; LABEL for the label of the vertical axis; RIGHT right of the
+// panel; BELOW below a panel with numbers and label, APART below one without them; TITLE above a panel with a title.
 static const double BARE = 0.45, LABEL = 0.62, RIGHT = 0.3, BELOW = 0.95, APART = 0.16, TITLE = 0.45;
 /// Width in cm of the colour scale on the right.
 static const double SCALE = 2.0;

@@ -30,8 +30,8 @@ static const whirl_series *overlay_main_line(const whirl_panel *panel) {
     return found;
 }
 
-/// Adds the word for its result to the name of a series in the legend; only the main line of a panel may have no name
-/// before.
+/// Appends the word for a result ("measured") to the legend name of one of its series. A series without a name stays
+/// unnamed, except the main line of a panel, whose name becomes the word.
 static void overlay_name(whirl_series *series, bool main, const char *word) {
     const size_t used = strlen(series->name);
     if (used > 0 || main) snprintf(series->name + used, sizeof series->name - used, used > 0 ? ", %s" : "%s", word);

@@ -1,5 +1,5 @@
-// Panels of one point and station, as the 2015 paper's figures 4 to 11 show them: waveform, orbit, spectrum and
-// Poincaré map, and the full spectrum below.
+// Panels of one point and station, as in figures 4 to 11 of the paper of cases/paper.yaml: waveform, orbit, spectrum
+// and Poincaré map, and the full spectrum below.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

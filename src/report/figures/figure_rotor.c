@@ -61,8 +61,8 @@ static void pen_line(const pen *p, whirl_series *to, double x, double y, double 
 }
 
 /// Fills a wall of a shaft along `x` above (side 1) or below the axis; inner and outer: distances from the axis at both
-/// ends. Areas are filled between two heights, so that for a vertical machine the wall is filled along the shaft, at
-/// all distances from the axis at which it has a corner.
+/// ends. A series of areas is filled between two heights. The wall of a vertical machine is therefore filled along the
+/// shaft, with one point at each distance from the axis at which the wall has a corner.
 static void pen_fill(const pen *p, whirl_series *area, span x, const double inner[2], const double outer[2], int side) {
     if (p->upright == 0.0) {
         for (int end = 0; end < 2; end++)

@@ -8,7 +8,7 @@
 #include "shown_kinds.h"
 #include "units.h"
 
-/// Figures of a run, which `which` of a figure_place numbers.
+/// Figures of a run: values of figure_place.which.
 enum { OVER_SPEED, OVER_TIME, ORDERS, SHAFT, CONTACTS, TORQUES };
 
 enum { MAX_ORDERS = 4, MAX_TORQUE_PANELS = 6 };
@@ -201,8 +201,8 @@ static void runup_describe_shaft(const drawing *of, const figure_place *place, w
                            WHIRL_FIELD_RUNUP_TORQUE, 0, i, 1.0 / torque->size);
     }
     snprintf(figure->caption, sizeof figure->caption, "Speed of the shaft over the time%s.",
-             torques ? ", and torques on it at the end of each turn: of the motor, its load, friction in contacts, of "
-                       "unbalances that the motion of the rotor and the weight turn, and drag of films and seals"
+             torques ? ", and torques on it at the end of each turn: of the motor, its load, friction in contacts, the "
+                       "action of the rotor's motion and its weight on the unbalances, and drag of films and seals"
                      : "");
 }
 

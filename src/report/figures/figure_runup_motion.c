@@ -8,8 +8,8 @@
 #include "point_panels.h"
 #include "runup_panels.h"
 
-/// Figures of motions, which `which` of a figure_place numbers. In the place of a contact's figure `station` is the
-/// contact.
+/// Figures of motions: values of figure_place.which. For a figure of a contact, figure_place.station is the index of
+/// the contact.
 enum { ORBITS, WAVEFORMS, CONTACT_WAVEFORMS, KINDS };
 
 static const struct {
@@ -20,7 +20,7 @@ static const struct {
     {"runup-contact", "Force and gap of %.60s", WHIRL_FIELD_RUNUP_CONTACT_FORCE, "waveform"},
 };
 
-/// Largest number of orbits in a figure, that of the largest motion included.
+/// Largest number of orbits in a figure, including the orbit of the largest motion.
 enum { MAX_ORBITS = 9 };
 
 // ---------------------------------------------------------------- orbits
@@ -92,10 +92,11 @@ static void orbits_describe(const drawing *of, const figure_place *place, whirl_
                   whirl_table_number(table, runs[0], WHIRL_FIELD_RUNUP_PEAK_TIME, place->station),
                   whirl_table_number(table, runs[0], WHIRL_FIELD_RUNUP_PEAK_SPEED, place->station), "peak", figure);
     }
-    snprintf(figure->caption, sizeof figure->caption,
-             "Orbits of %.60s over single turns of the shaft, the last one that of its largest motion: a dot where the "
-             "turn begins (the mark is at the x axis), an arrow the way it goes, grey the walls around it.",
-             of->result->stations[place->station].name);
+    snprintf(
+        figure->caption, sizeof figure->caption,
+        "Orbits of %.60s over single turns of the shaft; the last panel shows its largest motion. A dot marks where "
+        "the turn begins (the mark is at the x axis), an arrow the direction of motion; walls are grey.",
+        of->result->stations[place->station].name);
     runup_caption_runs(of, table, 1, figure);
 }
 
@@ -208,7 +209,7 @@ static void contact_describe(const drawing *of, const figure_place *place, whirl
     // Describe the windows.
     snprintf(figure->caption, sizeof figure->caption,
              "Normal force and gap of %.60s over %d turns of the shaft, around its largest force and around the first "
-             "events of the run. A gap below 0 is pressed in.",
+             "events of the run. A gap below 0 means that the contact is compressed.",
              of->result->contacts[place->station], table->record.runup.waveform);
     runup_caption_runs(of, table, 1, figure);
 }

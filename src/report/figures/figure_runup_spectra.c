@@ -10,7 +10,7 @@
 #include "two_pi.h"
 #include "units.h"
 
-/// Figures of spectra, which `which` of a figure_place numbers.
+/// Figures of spectra: values of figure_place.which.
 enum { WATERFALL, CASCADE, SPECTROGRAM, KINDS };
 
 /// Largest numbers of spectra that are drawn as lines (MAX_LINES) and as boxes (MAX_TIMES), and of boxes in a direction

@@ -20,7 +20,7 @@ typedef struct spread_view {
     const whirl_table *table;
     whirl_spread_of number;
     whirl_unit unit;
-    double period; ///< period of an angle; 0: of no angle
+    double period; ///< period of the number if it is an angle; else 0
     size_t places;
     double value; ///< size of the unit of the parameter
 } spread_view;
@@ -93,7 +93,7 @@ static void add_bands(whirl_figure *figure, const spread_view *v) {
     if (own) own->dashed = true;
     // Add the quantiles at each value of the parameter.
     span shown = span_empty();
-    double before = NAN; // the last median, from which an angle goes on
+    double before = NAN; // the previous median; an angle is unwrapped to within half a period of it
     for (size_t place = 0; place < v->places; place++) {
         const whirl_spread s = spread_at(v, figure, place);
         const double x = v->table->values[place] / v->value, middle = s.quantiles[2].value;

@@ -150,12 +150,13 @@ static void torus_figure_describe(const drawing *of, const figure_place *place, 
     }
     add_numbers(figure, exponent, &v, 0, "", exponent_of);
     // Describe the panels.
-    snprintf(figure->caption, sizeof figure->caption,
-             "Quasi-periodic motions over %s, solid where they are stable, dashed where not. Above: the rotation "
-             "number, turns round the closed curve of the section from one to the next, with simple fractions, near "
-             "which motions may lock. Middle: the amplitude of the strongest line of the second frequency, the larger "
-             "one of both coordinates. Below: the largest Lyapunov exponent across the torus.",
-             v.table->parameter);
+    snprintf(
+        figure->caption, sizeof figure->caption,
+        "Quasi-periodic motions over %s, solid where they are stable, dashed where not. Above: the rotation "
+        "number, turns round the closed curve of the section from one revolution to the next, with simple fractions, "
+        "near which motions may lock. Middle: the amplitude of the strongest line of the second frequency, the larger "
+        "one of both coordinates. Below: the largest Lyapunov exponent across the torus.",
+        v.table->parameter);
 }
 
 const figure_kind torus_figure = {.list = torus_list, .describe = torus_figure_describe};

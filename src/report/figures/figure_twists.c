@@ -8,7 +8,7 @@
 #include "shown_kinds.h"
 #include "units.h"
 
-/// Figures of torques and of angles, which `which` of a figure_place numbers.
+/// Figures of torques and of angles: values of figure_place.which.
 enum { TORQUES, ANGLES };
 
 enum { MAX_PANELS = 6 };

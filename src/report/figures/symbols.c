@@ -23,8 +23,8 @@ static const char *greek_letter(const char *name, size_t length) {
     return NULL;
 }
 
-/// Returns the length of the symbol with which a name begins, a letter or a Greek name before the end, digits or a
-/// subscript; 0 for a word.
+/// Returns the length of the symbol at the beginning of a name: a letter or the name of a Greek letter, followed by
+/// nothing, digits or a subscript. Returns 0 for a word.
 static size_t letters_of(const char *name) {
     const size_t letters = strcspn(name, "_0123456789");
     const bool symbol = (letters == 1 && isalpha((unsigned char)*name)) || greek_letter(name, letters);

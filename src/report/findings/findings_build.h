@@ -18,14 +18,16 @@ typedef struct finder {
 /// Makes empty findings, freed by whirl_findings_free; NULL without memory.
 whirl_findings *find_begin(void);
 
-/// Returns complete findings in *out. If `made` is NULL or an allocation failed, frees them and returns
-/// WHIRL_NO_MEMORY.
+/// Returns complete findings in *findings. If `made` is NULL or an allocation failed, frees `made`, sets *findings to
+/// NULL and returns WHIRL_NO_MEMORY.
 whirl_status find_made(whirl_findings *made, whirl_findings **findings);
 
-/// Returns the sheet that a name such as "spread:FIELD at STATION" requests of a number; NULL for other names.
+/// Returns the sheet ("spread", "indices" or "probabilities"; static text) that a name such as "spread:FIELD at
+/// STATION" requests for a number of the points; NULL for names without such a request.
 const char *findings_asked_spread(const char *name);
 
-/// Makes the findings on that number. Errors of whirl_findings_new, and WHIRL_BAD_INPUT for an unknown number.
+/// Makes the findings on the number that such a name requests. Errors of whirl_findings_new, and WHIRL_BAD_INPUT for an
+/// unknown number.
 whirl_status findings_of_spread(const whirl_result *result, const char *units, const char *name,
                                 whirl_findings **findings);
 

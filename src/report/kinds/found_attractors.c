@@ -64,7 +64,7 @@ static void find_basin(const finder *of) {
     const size_t done = basin_done(of);
     if (count > MAX_ATTRACTORS || known >= done) return;
     phrase_text(of, &find_statement(of, "without a verdict")->found,
-                "%zu start%s, %.1f %%: a longer transient may tell", done - known, done - known == 1 ? "" : "s",
+                "%zu start%s, %.1f %%: a longer transient may settle them", done - known, done - known == 1 ? "" : "s",
                 100.0 * (double)(done - known) / (double)done);
 }
 
@@ -203,9 +203,9 @@ static void find_starts(const finder *of) {
     starts_count(source, &done, &undetermined);
     if (undetermined > 0)
         phrase_text(of, &find_statement(of, "without a verdict")->found,
-                    "%zu of %zu starts: a longer transient may tell", undetermined, done);
+                    "%zu of %zu starts: a longer transient may settle them", undetermined, done);
     phrase_text(of, &find_statement(of, "starts")->found,
-                "%zu for each point miss an attractor that %.2g %% of all lead to with a chance of 5 %%",
+                "%zu for each point: with a chance of 5 %% they all miss an attractor to which %.2g %% of starts lead",
                 source->starts, 100.0 * whirl_missed_share(source->starts));
 }
 

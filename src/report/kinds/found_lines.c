@@ -559,7 +559,8 @@ static void find_line_sheets(const finder *of, const line_side *sides) {
 
     // Add the sheet of beginnings and ends.
     whirl_sheet *sheet = find_sheet(of, "line-edges", "Beginnings and ends of these lines");
-    sheet->about = "The last value with the line, on the way up and on the way down; at once: as large as behind it.";
+    sheet->about = "The last value with the line, on the way up and on the way down; at once: the amplitude "
+                   "jumps to that of the neighbouring points with the line.";
     sheet_column(of, sheet, "order", "order", WHIRL_QUANTITY_NUMBER, 4);
     sheet_texts(of, sheet, "end", "end");
     sheet_edge(of, sheet, up, (const char *const[]){"how", "amplitude", "of the clearance"});

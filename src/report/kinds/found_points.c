@@ -38,7 +38,7 @@ static whirl_unit displacement_unit(const finder *of, whirl_counting counting) {
     const char *name = scales ? length.name : units->length_name, *counted = whirl_shown_counted(units, counting);
     const double amplitude = counting == WHIRL_AMPLITUDE ? units->amplitude : 1.0;
     whirl_unit unit = {.size = (scales ? length.size : units->result->length_scale / units->length) / amplitude};
-    // A scale without a name, "(0.2 mm)", is no unit but a measure.
+    // A length scale without a name is its size, "(0.2 mm)": write "in 0.2 mm".
     const int letters = (int)strcspn(name + (*name == '('), ")");
     snprintf(unit.name, sizeof unit.name, "%s%.*s%s%s", *name == '(' ? "in " : "", letters, name + (*name == '('),
              *counted ? " " : "", counted);
@@ -64,9 +64,9 @@ static void find_verdicts(const finder *of) {
     // Set up the columns.
     whirl_sheet *sheet = find_sheet(of, "verdicts", "Verdicts");
     sheet->unsummarized = find_alone(of);
-    sheet->about = "The exponent is the mean over all watched revolutions, with an error as chaos has it; the reason "
-                   "of a verdict, below, has that of the evidence, which is weighted where the motion is "
-                   "regular, and then sharper.";
+    sheet->about = "The exponent is the mean over all watched revolutions, with the standard error of a chaotic "
+                   "motion. The reason of a verdict, below, may give another exponent: for a regular motion it is "
+                   "a weighted mean, which is more accurate.";
     sheet_points(of, sheet);
     if (table->attractors) sheet_list(of, sheet, "share", "% of the starts", WHIRL_QUANTITY_NUMBER, 3, " +- ");
     sheet_texts(of, sheet, "regime", "regime");

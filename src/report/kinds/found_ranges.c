@@ -65,7 +65,7 @@ static void state_other_rest(const finder *of) {
     add_points(of, found, &left);
 }
 
-/// States where a contact is closed at rest, and what small motions do with it.
+/// States that a contact is closed at rest, and what that means for the numbers of the table (shown_kind.held).
 static void state_closed(const finder *of, size_t contact) {
     whirl_left left;
     if (whirl_table_held(of->table, contact, &left) == 0) return;
@@ -74,7 +74,7 @@ static void state_closed(const finder *of, size_t contact) {
     phrase_text(of, found, "%s with %s", of->result->contacts[contact], left.points > 1 ? "up to " : "");
     phrase_number(of, found, WHIRL_QUANTITY_FORCE, 4, left.reached * of->result->force_scale);
     add_points(of, found, &left);
-    phrase_text(of, found, ", which %s", kind->held ? kind->held : "small motions leave as it is there");
+    phrase_text(of, found, ", which %s", kind->held ? kind->held : "small motions do not open");
 }
 
 void find_ranges(const finder *of) {

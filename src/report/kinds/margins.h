@@ -7,7 +7,8 @@
 
 enum { MARGIN_PEAKS = 32, MARGIN_TEXT = 160 };
 
-/// Finds the running speeds, rad/s; a single speed is both. Returns false if none is given.
+/// Finds the lowest and the highest running speed, rad/s; both are equal if one speed is given. Returns false if none
+/// is given.
 bool margin_running(const whirl_table *table, double *low, double *high);
 
 /// Returns true if margins and clearances are required: the table gives running speeds.

@@ -45,8 +45,8 @@ static double scaled_largest_seen(const whirl_result *result, const whirl_table 
     return largest;
 }
 
-/// Returns the least speed of a point at or above the trip speed, up to which clearances are checked, so that both
-/// neighbours of the trip speed are. Infinite if no trip speed is given, or no point reaches it.
+/// Returns the speed up to which clearances are checked: that of the first point at or above the trip speed, so that
+/// the points on both sides of the trip speed are included. Infinite if no trip speed is given, or no point reaches it.
 static double scaled_last_speed(const whirl_table *table) {
     double last = INFINITY;
     for (size_t i = 0; i < table->count; i++) {

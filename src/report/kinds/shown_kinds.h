@@ -12,7 +12,7 @@ typedef struct shown_kind {
     const char *field;         ///< field that only its tables have; NULL: any table
     const char *anchor, *name; ///< anchor and name of its section
     const char *about;         ///< introduction to all sections of the kind, written once; NULL: none
-    const char *held; ///< clause on contacts that are closed at rest; NULL: that small motions do not open them
+    const char *held; ///< clause after "which" on a contact that is closed at rest; NULL: "small motions do not open"
     void (*find)(const finder *of); ///< adds the findings on a table
 } shown_kind;
 

@@ -62,7 +62,7 @@ static void runup_find_sensitivity(const finder *of) {
         phrase_number(of, found, WHIRL_QUANTITY_TIME, 6, own[2]);
         phrase_text(of, found, ": from ");
         phrase_number(of, found, WHIRL_QUANTITY_TIME, 6, own[3]);
-        phrase_text(of, found, " on numbers of contacts and places hold for this tolerance alone");
+        phrase_text(of, found, " on, numbers of contacts and positions hold for this tolerance alone");
     }
 }
 
@@ -119,7 +119,7 @@ static void runup_say_event(const finder *of, const double *event, char *text, s
                  i == 1 ? of->result->stations[(size_t)event[3]].name : "");
         used = strlen(text);
     }
-    if (used == 0) snprintf(text, size, "condition of others");
+    if (used == 0) snprintf(text, size, "condition for other events");
 }
 
 /// Adds the sheet of events of all runs, in the order of the case, with events that did not happen.
@@ -449,9 +449,10 @@ static void runup_find_stationary(const finder *of) {
     if (!rows) return;
     // Set up the columns.
     whirl_sheet *sheet = find_sheet(of, "stationary", "Stationary speeds of the drive");
-    sheet->about = "Speeds at which the motor's torque equals what brakes the shaft while its motions are small and "
-                   "settled, and folds, at which two of them meet if the motor's torque is multiplied by the factor. A "
-                   "run may pass a speed that holds, since its motion needs time to build up.";
+    sheet->about =
+        "Speeds at which the motor's torque equals what brakes the shaft while its motions are small and "
+        "settled; and folds, at which two such speeds meet if the motor's torque is multiplied by the factor. A "
+        "run may pass a speed that holds the shaft, since its motion needs time to build up.";
     sheet_values(of, sheet, "", 6);
     sheet_column(of, sheet, "speed", "speed", WHIRL_QUANTITY_SPEED, 6);
     sheet_texts(of, sheet, "kind", "what");

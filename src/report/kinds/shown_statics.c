@@ -32,8 +32,8 @@ static double largest_slope(const finder *of, size_t point) {
 static void find_weight(const finder *of, const size_t *ends, size_t count) {
     // Set up the columns.
     whirl_sheet *sheet = find_sheet(of, "weight", "Weight, loads of bearings and sag");
-    sheet->about = "What the weight does to each shaft on its own bearings, which hold it without giving way, "
-                   "whatever couplings, springs and mounts it has.";
+    sheet->about = "Each shaft under its weight on its own bearings, which are taken as rigid; couplings, springs and "
+                   "mounts are left out.";
     sheet_values(of, sheet, "", 6);
     sheet_texts(of, sheet, "station", "station");
     sheet_column(of, sheet, "load", "bearing carries", WHIRL_QUANTITY_FORCE, 5);
@@ -78,8 +78,8 @@ static void find_axial(const finder *of, const size_t *ends, size_t count) {
     // Set up the columns.
     whirl_sheet *sheet = find_sheet(of, "axial", "Axial forces of shafts that stand");
     sheet->about =
-        "What the thrust bearing holds, and the force in the shaft to both sides of a station, above 0 where "
-        "it pulls: weight and axial forces of segments.";
+        "The load of the thrust bearing, and the axial force in the shaft on both sides of a station, positive in "
+        "tension. Both follow from the weight and the axial forces of segments.";
     sheet_values(of, sheet, "", 6);
     sheet_texts(of, sheet, "station", "station");
     sheet_column(of, sheet, "thrust_mass", "mass held", WHIRL_QUANTITY_MASS, 5);
@@ -218,8 +218,8 @@ static void statics_find(const finder *of) {
     size_t ends[2];
     const size_t count = find_ends(of->table, ends);
     if (*of->table->record.coupling)
-        phrase_text(of, &find_statement(of, "alignment")->found, "raised for no moment and no shear at %s",
-                    of->table->record.coupling);
+        phrase_text(of, &find_statement(of, "alignment")->found,
+                    "bearings are raised so that there is no moment and no shear at %s", of->table->record.coupling);
     find_weight(of, ends, count);
     find_axial(of, ends, count);
     find_films(of, ends, count);

@@ -265,7 +265,8 @@ static void find_indices(const finder *of, const whirl_spread_of *numbers, size_
     whirl_sheet *sheet = find_sheet(of, "indices", "Parts of the variance that parameters cause");
     sheet->about =
         "Alone: the part that vanishes if this parameter alone is known. With others: the part that is left if "
-        "all others are known. Of probabilities, where it says so: verdicts are labels and have no variance.";
+        "all others are known. Rows that name a probability give the parts of "
+        "its variance, since verdicts are labels and have no variance.";
     sheet_texts(of, sheet, "what", "of");
     if (*of->table->parameter) sheet_values(of, sheet, "", 6);
     sheet_texts(of, sheet, "parameter", "parameter");

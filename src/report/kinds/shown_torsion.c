@@ -57,7 +57,7 @@ static bool torsion_separate(const whirl_table *table, const mode_lines *lines, 
             const double apart =
                 torsion_apart(frequency, running ? torsion_excitation_frequency(table, own->by, low) : at,
                               running ? torsion_excitation_frequency(table, own->by, high) : at);
-            // Note the place where it is nearest.
+            // Keep the point if the mode is nearer to the excitation than before.
             if (!(fabs(apart) < nearest)) continue;
             nearest = fabs(apart);
             own->frequency = frequency;

@@ -20,8 +20,8 @@ static void train_find_stations(const finder *of, const whirl_model *model) {
     double sum = 0.0;
     whirl_sheet *sheet = find_sheet(of, "train", "Inertias of the train");
     sheet->about =
-        "Of stations that twist, with their part of the shaft, at the parameters of the case. Referred: times "
-        "the square of the speed of the station over that of the rotor.";
+        "Inertias of the stations that twist, each with its part of the shaft, at the parameters of the case. A "
+        "referred inertia is multiplied by the square of the station's speed over that of the rotor.";
     sheet_texts(of, sheet, "station", "station");
     sheet_column(of, sheet, "ratio", "speed over the rotor's", WHIRL_QUANTITY_NUMBER, 6);
     sheet_column(of, sheet, "inertia", "polar inertia", WHIRL_QUANTITY_INERTIA, 6);
@@ -47,9 +47,10 @@ static void train_find_stations(const finder *of, const whirl_model *model) {
 
 static void train_find_joints(const finder *of, const whirl_model *model) {
     whirl_sheet *sheet = find_sheet(of, "joints", "Shafts, couplings and gears of the train");
-    sheet->about = "Stiffness and damping against twist at the speed of the first station; of meshes their mean, about "
-                   "the axis of the first gear; pieces of a shaft between two stations in series. The weakest section "
-                   "is that of a solid round shaft of this diameter.";
+    sheet->about =
+        "Stiffness and damping against twist, at the speed of the first station. A mesh has its mean stiffness, "
+        "about the axis of the first gear; pieces of a shaft between two stations are in series. The weakest "
+        "section is given as the diameter of a solid round shaft with the same section modulus.";
     sheet_texts(of, sheet, "joint", "joint");
     sheet_units(of, sheet, "stiffness", "stiffness", &stiffness_unit, 6);
     sheet_units(of, sheet, "damping", "damping", &damping_unit, 5);

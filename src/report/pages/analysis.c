@@ -34,7 +34,7 @@ typedef struct analysis_document {
     const char *asks; ///< why a result may have no criteria
     size_t count;
     const chapter *chapters; ///< [count]
-    bool moves;              ///< it says if there are no motions
+    bool moves;              ///< the document states it if the result has no motions
 } analysis_document;
 
 /// Returns true for the tables of a chapter (`by`).
