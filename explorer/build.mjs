@@ -1,7 +1,7 @@
 // Builds the explorer's template, one self-contained page:  node build.mjs [--worker FILE --core FILE] OUT.html
 //
-// Everything lies in the page: the program and the styles, whose hashes the Content-Security-Policy names, and as inert
-// text the worker's program and the C core (gzip, base64). `whirl report` puts results in the place of @WHIRL-RUNS@.
+// The page contains everything: the program and the styles, whose hashes the Content-Security-Policy names, and the
+// worker's program and the C core (gzip, base64) as inert text. `whirl report` replaces @WHIRL-RUNS@ by results.
 // Without --worker and --core the page shows what is stored and computes nothing.
 import { createHash } from 'node:crypto';
 import { mkdir, readFile, rename, writeFile } from 'node:fs/promises';
@@ -30,7 +30,7 @@ async function bundle(entry, options = {}) {
 
 const hash = (text) => `'sha256-${createHash('sha256').update(text, 'utf8').digest('base64')}'`;
 
-/// Text inside a script or style element must not end it. Ours is our own, and says so if it ever did.
+/// Returns a text for a script or style element; throws an error if the text would end the element.
 function inert(text, what) {
   if (/<\/(script|style)|<!--/i.test(text)) throw new Error(`${what} would end its element in the page`);
   return text;
@@ -58,7 +58,7 @@ const pieces = {
   '@WORKER@': worker,
   '@CORE@': core,
 };
-// One pass, so that what is put in is not searched again.
+// Replace all marks in one pass, so that the inserted texts are not searched for marks.
 const page = (await readFile(`${here}/src/page.html`, 'utf8')).replace(/@[A-Z-]+@/g, (mark) => pieces[mark] ?? mark);
 if (page.split('@WHIRL-RUNS@').length !== 2) throw new Error('the page must have one place for results');
 await mkdir(dirname(out), { recursive: true });

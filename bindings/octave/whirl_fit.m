@@ -1,13 +1,15 @@
 function found = whirl_fit(given_case, data, unknown, varargin)
 % WHIRL_FIT  Fits parameters of a machine to measured motions.
-%   FOUND = WHIRL_FIT(CASE, DATA, UNKNOWN) takes the text of a case or its file, whose study is replaced; the name of a
-%   table (guide, chapter 18), or a cell of headings and columns, {'speed [rpm]', n, 'disc x [um]', x}, or a struct of
-%   an onset, a critical speed or a mode, struct('onset', '5200 rpm', 'noise', '50 rpm'), or a cell of such structs; and
-%   a struct of the unknown parameters, each [] or [from to] in SI: struct('k', [0.6e6 2e6], 'e', []).
+%   FOUND = WHIRL_FIT(CASE, DATA, UNKNOWN) takes three arguments:
+%     CASE     the text of a case, or the name of its file; its study is replaced
+%     DATA     the name of a table (guide, chapter 18); or a cell of headings and columns, {'speed [rpm]', n,
+%              'disc x [um]', x}; or a struct of an onset, a critical speed or a mode, struct('onset', '5200 rpm',
+%              'noise', '50 rpm'); or a cell of such structs
+%     UNKNOWN  a struct of the unknown parameters, each [] or [from to] in SI: struct('k', [0.6e6 2e6], 'e', [])
 %
-%   WHIRL_FIT(..., NAME, VALUE, ...) sets further keys of the study fit: 'starts', 'profile', 'loss', ...; and of a
-%   table: 'noise', in metres or as a text '2 um'; 'at', a struct of parameters in SI that the measurement had;
-%   'compare', 'statistics' for motions that are not periodic.
+%   WHIRL_FIT(..., NAME, VALUE, ...) sets further keys of the study fit: 'starts', 'profile', 'loss', ...; and keys of
+%   a table: 'noise', a number in metres or a text '2 um'; 'at', a struct of values in SI that parameters had in the
+%   measurement; 'compare', which is 'statistics' for motions that are not periodic.
 %
 %   FOUND has a struct for each unknown, with start, value, error, low and high (95 %), profile ([low high]) and known:
 %   'determined', 'at a bound', 'weak' or 'unknown'; FOUND.result is that of WHIRL_RUN.

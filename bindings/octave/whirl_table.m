@@ -9,8 +9,8 @@ function sheet = whirl_table(file, name, varargin)
 %     units     {1 x columns} of the numbers, '' without a unit: 'rpm'
 %     sizes     [1 x columns] of these units in SI
 %     cells     {rows x columns} numbers in these units, texts, or columns of several numbers; [] for an empty cell
-%     texts     {rows x columns} the cells as documents write them matrix    [rows x columns] the cells that are one
-%     number; NaN for all other cells
+%     texts     {rows x columns} the cells as documents write them
+%     matrix    [rows x columns] the cells that are one number; NaN for all other cells
 %   WHIRL_TABLE(FILE, NAME, 'units', 'um, rpm, p-p') uses these units, not those of the case.
 %
 %   Errors: whirl:badInput for a file that is no result, and for an unknown sheet or unit; whirl:noCommand.

@@ -12,7 +12,7 @@ static text answer;
 /// Writes a table in the form of MeasuredTable of protocol.ts.
 static void measured_write(text *t, const whirl_measured_table *measured) {
     const whirl_fit *fit = &measured->fit;
-    // All rows are over the same parameter, which comes after those that the caller gives: none.
+    // The rows of vectors are over one parameter, given[0], as the table is read without values of other parameters.
     const whirl_fit_motion *first = fit->motion_count > 0 ? &fit->motions[0] : NULL;
     text_add(t, "{");
     json_name(t, "title");
@@ -50,7 +50,8 @@ EXPORTED const char *explorer_measured(const whirl_case *object, const char *nam
 
 // ---------------------------------------------------------------- spectra
 
-/// Highest order of spectra, most revolutions of them, and samples of a revolution that is sampled anew.
+/// Highest order of spectra, largest number of their revolutions, and samples of a revolution and order of the
+/// polynomials of a record that is sampled again.
 enum { MEASURED_ORDER = 10, MEASURED_REVOLUTIONS = 512, MEASURED_SAMPLES = 128, MEASURED_POLYNOMIAL = 7 };
 
 /// Samples of both axes at equal angles, over whole revolutions.
@@ -79,7 +80,7 @@ static whirl_status measured_take(const double *values, size_t count, size_t eac
     return whirl_ok();
 }
 
-/// Samples a record over other angles anew, between the marks at whole turns within it.
+/// Interpolates samples at equal angles over whole revolutions of a record, at most the last MEASURED_REVOLUTIONS.
 static whirl_status measured_resample(const double *turn, const double *values, size_t count, measured_turns *out) {
     const double first = ceil(turn[0]), last = floor(turn[count - 1]);
     const double most = fmin(last - first, (double)MEASURED_REVOLUTIONS);

@@ -1,4 +1,4 @@
-// Writes units.inc, the table of units, with the real UDUNITS-2: a program of the build machine.
+// Writes units.inc, the table of units, by means of the real UDUNITS-2. This program runs on the build machine.
 //
 //   unit_table < NAMES > units.inc
 //
@@ -50,7 +50,7 @@ static ut_status see_galilean(const ut_unit *unit, double scale, const ut_unit *
                               void *context);
 static ut_status see_time(const ut_unit *unit, const ut_unit *time, double origin, void *context) {
     (void)unit, (void)time, (void)origin, (void)context;
-    return UT_NOT_SAME_SYSTEM; // no unit of the database is one
+    return UT_NOT_SAME_SYSTEM; // the database has no timestamp units
 }
 
 static ut_status see_logarithm(const ut_unit *unit, double base, const ut_unit *reference, void *context) {

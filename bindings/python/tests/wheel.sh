@@ -1,5 +1,5 @@
 #!/bin/bash
-# The wheel that pip makes carries the library, is small, and computes where nothing else of whirl is:
+# Tests that the wheel that pip makes contains the library, is below 10 MB, and computes without any other part of whirl:
 #   wheel.sh PACKAGE LIBRARY ROOT
 set -euo pipefail
 package=$1 library=$2 root=$3
@@ -7,7 +7,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 unset WHIRL_LIBRARY PYTHONPATH
 
-# pip builds in the folder of the sources: a copy of it.
+# Copy the sources, since pip builds in their folder.
 cp -r "$package" "$work/package"
 WHIRL_BUILT=$library WHIRL_EXPLORER=$work/none /usr/bin/python3 -m pip --quiet --disable-pip-version-check wheel \
     --no-build-isolation --no-deps --no-index -w "$work" "$work/package"

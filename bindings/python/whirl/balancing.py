@@ -115,7 +115,7 @@ class Without:
 class Balance:
     """What balancing found."""
 
-    title: str  #: sense of the rotation
+    title: str  #: title of the file
     angles: str  #: "with" or "against" the rotation
     phases: str  #: "lag" or "lead"
     correction: dict[str, Weight]  #: weights by planes; empty without trial runs

@@ -117,8 +117,7 @@ class Sheet:
 
     def to_pandas(self) -> pandas.DataFrame:
         """Returns a DataFrame in the units shown, whose column names are headings with units. ``frame.attrs["keys"]``
-        has the keys,
-        ``frame.attrs["units"]`` the units, both in the order of the columns."""
+        has the keys, ``frame.attrs["units"]`` the units, both in the order of the columns."""
         columns = range(len(self.columns))
         own = {at: self._numbers(at) if self._is_plain(at) else [row[at] for row in self.rows] for at in columns}
         frame = _pandas().DataFrame(own)

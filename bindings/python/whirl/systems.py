@@ -304,7 +304,7 @@ class Event:
     reset: Callable | None = None
     #: whether the motion ends there
     ends: bool = False
-    #: for messages, and in what happened
+    #: name of the event, in messages and in :class:`Happening`
     name: str = ""
 
 

@@ -163,8 +163,8 @@ class Table(Mapping):
 
     @property
     def attractors(self) -> np.ndarray | None:
-        """The number of the attractor to which every point leads, from 1, which most starts reach; 0 without a verdict.
-        None if :attr:`has_attractors` is false."""
+        """The number of the attractor to which every point leads; 0 without a verdict. Attractors are numbered from 1,
+        the one that most starts reach first. None if :attr:`has_attractors` is false."""
         return self._attractors[0]
 
     @property

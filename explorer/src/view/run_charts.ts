@@ -19,7 +19,8 @@ interface Curve {
   readonly values: Float64Array;
   readonly dash: readonly number[];
   readonly colour: (colours: Theme) => string;
-  /// Place of every value on the axis, for values of all rows; absent: those of the rows with a turn.
+  /// Position of every value on the axis, for a curve with other rows than the run (torques); absent: values belong to
+  /// the rows of the run that have a turn.
   readonly at?: Float64Array;
 }
 
