@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/// Turn of a shaft at standstill. It is so slow that terms proportional to the speed are lost in rounding, but is not
-/// 0, since film laws divide by it.
+/// Speed, rad/s, that laws use for a shaft at standstill. It is so low that terms proportional to the speed are lost in
+/// rounding, but is not 0, since film laws divide by the speed.
 static const double slowest = 0x1p-60;
 
 whirl_status assembly_begin(assembly *to, double speed, double length, size_t station_count) {
@@ -348,8 +348,8 @@ void assembly_join(assembly *to, const size_t coordinate[2], const double share[
             const double both = moved[i] * moved[j];
             assembly_stiffness(to, coordinate[i], coordinate[j], both * by->stiffness);
             assembly_damping(to, coordinate[i], coordinate[j], both * by->damping);
-            // A number of the mass matrix counts for row and column, and for column and row, unless both are one
-            // coordinate.
+            // assembly_inertance fills in both triangles of the mass matrix: call it once for each pair of different
+            // coordinates.
             if (i <= j || coordinate[0] == coordinate[1])
                 assembly_inertance(to, coordinate[i], coordinate[j], both * by->inertance);
         }
@@ -430,7 +430,8 @@ void assembly_inertial(assembly *to, size_t x, size_t y, double moment, double a
     for (size_t i = 0; i < 2; i++) add_load(to, &to->turnings, &to->turning_count, &to->turning_capacity, rows[i]);
 }
 
-/// Notes an unbalance along the directions in which its station does not move, where its weight turns the shaft, too.
+/// Notes the parts of an unbalance along directions in which its station does not move. The weight of the unbalance
+/// exerts a torque on the shaft there as well.
 static void assembly_guide(assembly *to, const size_t *coordinate, double moment, double angle) {
     if (coordinate[AXIS_X] == NO_COORDINATE) {
         to->guided[0].cos += moment * cos(angle);
@@ -477,7 +478,7 @@ void assembly_runout(assembly *to, size_t station, whirl_runout seen) {
     to->runouts[to->runout_count++] = (station_runout){station, seen};
 }
 
-/// Returns the force by a pull of 1 m/s2: kg along a displacement, kg m on a tilt.
+/// Returns the force on a station by gravity of 1 m/s2: kg along a displacement, kg m on a tilt.
 static double weight_along(const assembly_station *at, axis along) {
     const bool tilts = along == AXIS_TILT_X || along == AXIS_TILT_Y;
     return !tilts ? at->mass : at->shaft != NO_SHAFT ? at->pull_moment : 0.0;

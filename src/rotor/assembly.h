@@ -84,8 +84,9 @@ typedef struct station_runout {
     whirl_runout seen;
 } station_runout;
 
-/// Effect of an inertia that turns with the shaft, an unbalance or a skew, on one coordinate. The force on it is the
-/// square of the speed times (cos COS_TAU + sin SIN_TAU), of which the latter are the values of the forcing.
+/// Effect of an inertia that turns with the shaft, an unbalance or a skew, on one coordinate. The force on the
+/// coordinate is the square of the speed times (cos C + sin S), where C and S are the values COS_TAU and SIN_TAU of the
+/// forcing.
 typedef struct turning_inertia {
     size_t row;
     double cos, sin; ///< kg m, of tilts kg m2
@@ -133,7 +134,8 @@ typedef struct assembly_station {
     const char *name;
     double mass, diametral, polar;  ///< kg, kg m2; a station with a diametral inertia tilts
     double shaft_polar;             ///< kg m2 of the shaft, against twist alone
-    double shaft_mass, shaft_axial; ///< kg: the shaft's part of the mass; what resists axial motion in its place
+    double shaft_mass, shaft_axial; ///< kg: the shaft's part of `mass`; the shaft's inertia against axial motion, which
+                                    ///< replaces shaft_mass there
     double fluid;                   ///< kg of fluid that is moved along; inertia without weight or unbalance
     bool moves_x, moves_y, twists, axial;
     size_t geared_to;        ///< station whose twist times `gear` is the twist of this station; NO_STATION: the twist
@@ -175,7 +177,8 @@ typedef struct assembly {
     station_runout *runouts; ///< runout of probes
     size_t turning_count, turning_capacity;
     turning_inertia *turnings; ///< inertias that turn with the rotor's own shaft
-    turning_inertia guided[2]; ///< likewise, sums along x and y of unbalances of stations that do not move that way
+    turning_inertia guided[2]; ///< likewise, sums along x and y of the unbalances of stations that do not move along
+                               ///< that axis
     size_t weight_count, weight_capacity;
     turning_inertia *weights; ///< forces by a pull of 1 m/s2 along x (cos) and along y (sin): kg, of tilts kg m
     double pull[2];           ///< gravity across the shafts, m/s2
@@ -185,7 +188,7 @@ typedef struct assembly {
     size_t link_count, link_capacity;
     twist_link *links; ///< [link_count] joints between twists
     size_t hold_count, hold_capacity;
-    twist_link *holds; ///< [hold_count] joints between twists and the ground, whose coordinate, the second one, is
+    twist_link *holds; ///< [hold_count] joints between twists and the ground; coordinate[1], that of the ground, is
                        ///< NO_COORDINATE
     size_t harmonic_count, harmonic_capacity;
     harmonic_torque *harmonics; ///< [harmonic_count] torques to which the twists respond
@@ -200,8 +203,8 @@ typedef struct assembly {
 } assembly;
 
 /// Makes an assembly of stations that move in x and y and have no mass yet. speed: negative (or -0.0) for a clockwise
-/// shaft. At standstill the unit of time is a second, and laws have their limits for a speed that goes to 0: `pace` and
-/// `turn` are those of a shaft that turns once in 2e11 years. WHIRL_NO_MEMORY. Freed by assembly_clear.
+/// shaft. At standstill the unit of time is a second, and laws take their limits for a speed that tends to 0: `pace`
+/// and `turn` are those of a shaft that turns once in 2e11 years. WHIRL_NO_MEMORY. Freed by assembly_clear.
 whirl_status assembly_begin(assembly *to, double speed, double length, size_t station_count);
 void assembly_clear(assembly *to);
 
@@ -223,7 +226,7 @@ whirl_status assembly_find(const assembly *of, size_t station, axis along, size_
 /// gears.
 double assembly_share(const assembly *of, size_t station, axis along);
 
-/// Makes the twist of one station that of another one times `ratio` (rigid gears). To be called before coordinates are
+/// Ties the twist of `station` to `ratio` times the twist of `other` (rigid gears). To be called before coordinates are
 /// numbered. WHIRL_BAD_INPUT if the station already follows another one.
 whirl_status assembly_gear(assembly *to, size_t station, size_t other, double ratio);
 
@@ -318,14 +321,15 @@ whirl_status assembly_frequencies(assembly *to, size_t count, const double *freq
 /// Adds a harmonic (m) of the runout at a station to what probes see there.
 void assembly_runout(assembly *to, size_t station, whirl_runout seen);
 
-/// Adds a pull (m/s2) on the own masses of all stations.
+/// Adds a uniform acceleration (m/s2), such as gravity, that acts on the own masses of all stations.
 void assembly_pull(assembly *to, double x, double y);
 
 /// Adds a pull along z (m/s2), in the direction in which positions grow, on the masses of a shaft and its stations;
 /// NO_SHAFT: on those of all stations.
 void assembly_pull_axially(assembly *to, size_t shaft, double pull);
 
-/// Lists the forces of a pull along x and y on all masses. To be called once, when all inertia is known.
+/// Lists the forces of a gravity of 1 m/s2 along x and along y on all masses (`weights`). To be called once, when all
+/// inertia is known.
 void assembly_weigh(assembly *to);
 
 /// Adds damping (N s/m) between a station and the ground.

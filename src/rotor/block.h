@@ -1,6 +1,6 @@
 /// Arguments of kernels: vectors of one instruction set.
 ///
-/// Rotors are side by side in lanes. Each lane has its own time and its own sides of the switches, and perturbations.
+/// Each lane holds one rotor, with its own time, sides of the switches and perturbations.
 #ifndef ROTOR_BLOCK_H
 #define ROTOR_BLOCK_H
 
@@ -11,15 +11,15 @@
 typedef struct block {
     size_t stride, vectors;
     size_t perturbations;
-    size_t next, next_v;   ///< distance in vectors from the positions of one state or perturbation to the next, and of
-                           ///< their other numbers
+    size_t next, next_v; ///< distances, in vectors, from the displacements of one state or perturbation to those of the
+                         ///< next (in q), and likewise for the other states (in v)
     size_t forcing_stride; ///< distance in vectors between numbers of the forcing
     const vec *forcing, *q, *v;
     const vec *turned;       ///< derivatives of the forcing by the shaft's phase if that is a state; otherwise NULL
     size_t phase;            ///< row of that state among the rates
     vec *a, *divergence;     ///< divergence: NULL unless requested
     const vec *numbers;      ///< numbers of the machine
-    const size_t *places;    ///< start of each part's numbers; NULL: each has its own
+    const size_t *places;    ///< start of each part's numbers; NULL: that of an element is its first_number
     const vec *sides;        ///< sides of its switches; NULL: the state decides
     const coupling *coupled; ///< coupling of accelerations by masses, or NULL
 } block;
@@ -32,7 +32,8 @@ static inline const vec *sides_of(const block *b, const element *own) {
     return b->sides ? b->sides + own->first_switch * b->stride : NULL;
 }
 
-/// Returns the block as one of a single vector, as large machines have it. Compilers then remove loops and strides.
+/// Returns the block with its stride and count of vectors as the constant 1, which they are for large machines.
+/// Compilers then remove loops and strides.
 static inline block single(const block *b) {
     block one = *b;
     one.stride = one.vectors = 1;
@@ -48,8 +49,8 @@ static inline int wants_tangent(const block *b) {
     return b->perturbations > 0 || b->divergence;
 }
 
-/// Returns the contribution of `derivative` to the trace. It is the derivative by the velocity of `by` of the
-/// acceleration that forces would give the coordinate `row` without mass coupling.
+/// Returns the contribution of `derivative` to the trace of the Jacobian. `derivative`: that of the acceleration of the
+/// coordinate `row`, without mass coupling, by the velocity of the coordinate `by`.
 static inline vec of_trace(const block *b, size_t row, size_t by, vec derivative) {
     if (b->coupled) return v_mul(v_set(coupling_share(b->coupled, by, row)), derivative);
     return row == by ? derivative : v_set(0.0);

@@ -15,8 +15,8 @@ typedef enum body_source { BODY_PLACE, BODY_VELOCITY, BODY_ONE } body_source;
 /// Rates that scale a body's numbers when time is tau = clock t. Each rate is the next one times a factor that is
 /// finite at every speed, so that their sums can use Horner's scheme.
 typedef enum body_rate {
-    RATE_GYRO,      ///< speed/clock: moments of velocities, proportional to the speed
-    RATE_FOLLOWING, ///< speed/clock^2: forces of displacements, proportional to the speed
+    RATE_GYRO,      ///< speed/clock: terms of velocities, proportional to the speed (gyroscopic moments)
+    RATE_FOLLOWING, ///< speed/clock^2: terms of displacements, proportional to the speed (viscous internal damping)
     RATE_DAMPING,   ///< 1/clock
     RATE_STATIC,    ///< 1/clock^2: stiffness, weight
     RATES
@@ -91,8 +91,8 @@ bool body_finish(body *of);
 /// Gathers the sorted terms into panels. Returns false without memory.
 bool body_gather(const body *of, body_panels *to);
 
-/// Marks panels as the first contributions to the last rows of `rows`, but not before `first`. Returns the first such
-/// row.
+/// Finds the smallest row r >= first for which the rows r to rows - 1 each get a first contribution from some panel,
+/// and marks these panels (`begins`). Returns r; `rows` if there is none.
 size_t body_begin(body_panels *of, size_t first, size_t rows);
 
 /// Returns true if both are the same, to the bit.
@@ -103,6 +103,8 @@ int body_compare_kinds(body_kind one, body_kind other);
 
 /// Number of quotients of rates: each rate divided by each later one, and each rate itself.
 enum { BODY_STEPS = RATES * (RATES + 1) / 2 };
+
+/// Computes these quotients at a speed and a clock, rad/s. Their order is that of body_step.
 void body_rates(double speed, double clock, double steps[BODY_STEPS]);
 
 /// Returns the index of the quotient of a rate and a later one; with RATES as the later one, of the rate itself.

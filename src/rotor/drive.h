@@ -24,8 +24,8 @@ typedef struct shaft_drive {
 /// Returns the torque of the motor at a speed in rad/s, N m. Beyond the ends of its table it is the value there.
 double drive_torque(const shaft_drive *drive, double speed);
 
-/// Returns the torque of the load against the rotation, N m. From the speed `slip` on, dry friction (`load`) counts as
-/// for a turning shaft. Below, it falls to 0 in proportion; with slip 0 it acts even at standstill.
+/// Returns the torque of the load against the rotation, N m. Dry friction (`load`) acts fully at speeds from `slip`,
+/// rad/s, on. Below, it is proportional to the speed; with slip 0 it acts fully even at standstill.
 double drive_load(const shaft_drive *drive, double speed, double slip);
 
 /// Returns the highest speed for which the motor is described, rad/s: its no-load speed, or the end of its table; 0 if
@@ -55,7 +55,7 @@ typedef struct shaft_torque {
 typedef struct torque_law {
     const char *name; ///< name of its element
     size_t states;    ///< first-order states, which begin at 0
-    bool motor;       ///< a trip ends it
+    bool motor;       ///< it is a motor: its torque ends when the motor trips
     /// Returns the torque, N m, and writes the slopes of its states by time unless NULL.
     double (*torque)(const shaft_torque *own, const torque_place *at, double *slopes);
     /// Optional: returns the speed of its station without load, rad/s.

@@ -1,9 +1,9 @@
 /// Interface of elements: their keys, the numbers computed from them, and their kernels.
 ///
 /// All quantities are scaled: time by 1/clock, lengths by the rotor's length scale, forces on a coordinate by its
-/// inertia, so that an element adds to accelerations. The physics itself is in elements/<element>_kernel.h, written
-/// once over the vector type. elements/<element>.c is compiled once for every instruction set, and defines everything
-/// else in the first of these builds.
+/// inertia, so that an element adds to accelerations. The physics itself is in elements/<group>/<element>_kernel.h,
+/// written once over the vector type. elements/<group>/<element>.c is compiled once for every instruction set; the
+/// build for one lane also defines everything that does not depend on the instruction set.
 #ifndef ROTOR_ELEMENT_H
 #define ROTOR_ELEMENT_H
 
@@ -76,7 +76,7 @@ typedef struct element {
 
 struct block;
 
-/// Receiver of doubts, and the element about which they are.
+/// Receiver of doubts (warnings about values), and the element to which they refer.
 typedef struct doubt_teller {
     whirl_design_tell *tell;
     void *context;
@@ -94,7 +94,7 @@ typedef struct element_seen {
 /// A film, as whirl_film_gap, with lengths in length scales.
 typedef whirl_film_gap element_film;
 
-/// A range of its law, as whirl_law_range.
+/// A range in which an element's law is valid, as whirl_law_range.
 typedef struct element_range {
     const char *quantity, *unit, *limit;
     double most, reached;
@@ -106,7 +106,7 @@ typedef struct element_place {
     double q[MAX_PORTS], v[MAX_PORTS], s[MAX_ELEMENT_STATES];
 } element_place;
 
-/// A film or seal in motion, as its drag sees it, in SI. If the shaft turns clockwise, all is mirrored.
+/// A film or seal in motion, as its drag sees it, in SI. If the shaft turns clockwise, all quantities are mirrored.
 typedef struct drag_view {
     const element_place *at;   ///< the state itself, with derivatives by the shaft's angle
     double length;             ///< m of one unit of displacement
@@ -125,8 +125,8 @@ typedef struct element_carried {
     double lever[2];           ///< torque on each place about z by one unit of force, N m; 0: the place does not twist
     double force;              ///< force (N) or moment (N m) that compresses the element in this state
     double play;               ///< closing in either direction up to which no force acts
-    double stiffness, damping; ///< derivatives of the force by the closing and by its rate, beyond the play; means over
-                               ///< turning phases
+    double stiffness, damping; ///< derivatives of the force by the closing and by its rate, beyond the play; averaged
+                               ///< over phases that turn
     bool open;                 ///< the state is within its play
     double error_order, error[2]; ///< the force depends on the closing minus Re(error exp(i error_order tau)); 0: no
                                   ///< error
@@ -158,7 +158,7 @@ typedef struct whirl_element_type {
     size_t number_count;
     size_t state_count;                    ///< most first-order states of an element
     bool modulated;                        ///< its forces are not linear in the forcing
-    size_t turning;                        ///< number of these states, from the first on, that are angles
+    size_t turning;                        ///< number of its states, from the first on, that are angles
     bool spun;                             ///< its force depends on the speed of its shaft
     bool kinked;                           ///< its force has kinks without a switch
     const element_kernels *const *kernels; ///< [number of vector.h]; NULL: the element is part of the assembly only
@@ -192,8 +192,8 @@ typedef struct whirl_element_type {
     void (*begin)(const element *own, double *states);
 
     /// Optional: sets the element's states [own->states] to a stable balance for given displacements of its ports, q
-    /// [MAX_PORTS]; of several balances as in whirl_system.settle. idle [own->states]: states without restoring force
-    /// or effect, which may stay. Returns false if there is no such balance (a wall is touched).
+    /// [MAX_PORTS]. If there are several, the choice is that of whirl_system.settle. idle [own->states]: states without
+    /// restoring force or effect, which may stay. Returns false if there is no such balance (a wall is touched).
     bool (*settle)(const element *own, const double *q, double *states, bool *idle);
 
     /// Optional: returns the index of a state that is only a clock, own->states if no state is. Linear analyses leave
@@ -205,8 +205,8 @@ typedef struct whirl_element_type {
     whirl_status (*hold)(const element *own, const whirl_stop *stop);
     void (*release)(const element *own);
 
-    /// Optional, for states that stand for a derivative by the shaft's angle: writes for every state [own->states] the
-    /// quantity for which it stands times the power of the speed with which the state falls; 0 for other states.
+    /// Optional, for states that represent derivatives by the shaft's angle, of order p, which are proportional to
+    /// 1/speed^p: writes p times the represented quantity for every state, out [own->states]; 0 for other states.
     void (*paced)(const element *own, const double *states, double *out);
 
     /// Optional, for an unbalance that turns at a fixed ratio of the shaft's speed: computes the force on each of its
@@ -214,14 +214,14 @@ typedef struct whirl_element_type {
     /// numbers hold, rad/s. Returns its moment times that ratio, kg m; 0 if it does not turn with the shaft.
     double (*lever)(const element *own, double speed, const double *states, double lever[2]);
 
-    /// For states that turn at a constant rate: returns the rounds per revolution after which a state's effects repeat.
-    /// NULL: never after whole revolutions.
+    /// For states that turn at a constant rate: returns how many periods a state's effects have in a revolution (twice
+    /// its turns if they repeat after half a turn). NULL: the effects never repeat after whole revolutions.
     double (*rounds)(const element *own, size_t state);
 
     /// For switches: returns true if motions can slide along one (friction that jumps where the slip reverses).
     bool (*slides)(const element *own);
 
-    /// Optional, for switches: returns true if the element's force may jump at one.
+    /// Optional, for switches: returns true if the element's force may jump at a switch.
     bool (*jumps)(const element *own);
 
     /// Optional, for films and seals: computes the torques of the fluid on journal and housing, N m.
@@ -269,7 +269,7 @@ typedef struct whirl_element_type {
     void (*film)(const element *own, const double *q, const double *states, element_film *out);
 
     /// Optional: returns order `index` (from 0) that may appear in spectra, and its name. Returns false beyond the
-    /// last. Other orders of the element (a dent that is hit twice in a turn) are multiples.
+    /// last. Other orders of the element (a dent that is hit twice in a turn) are multiples of these.
     bool (*named_order)(const element *own, size_t index, double *order, const char **name);
 
     /// Optional: describes range `index` (from 0) of the element's law, and which part of it a motion used. Returns

@@ -5,8 +5,8 @@
 ///
 ///     KERNEL_FILE      the header of the kernel, in quotes
 ///     KERNEL_AXES      number of its displacements: of its place, or of one place relative to another
-///     KERNEL_STATES    number of its first-order states; with KERNEL_FEWER_STATES the most of them, and an element has
-///                      own->states
+///     KERNEL_STATES    number of its first-order states; with KERNEL_FEWER_STATES their maximum; an element then
+///                      has own->states of them
 ///     KERNEL_NUMBERS   number of its numbers; they are followed by one for every port, which converts forces to
 ///                      accelerations
 ///     KERNEL_SWITCHES  number of switching functions, 0 if the force is smooth; they are affine in displacements,
@@ -74,7 +74,7 @@ typedef struct kernel_inputs {
     vec d[KERNEL_AXES], w[KERNEL_AXES], s[KERNEL_STATES + 1], phase;
 } kernel_inputs;
 
-/// Returns `value`, which is that of the coordinate of a port in vector k, in the unit of the element.
+/// Converts `value`, a displacement or velocity of a port's coordinate in vector k, to the unit of the element.
 VECTOR_INLINE vec in_unit(const element *own, const block *b, size_t k, size_t port, vec value) {
 #ifdef KERNEL_TILTS
     return v_mul(numbers_of(b, own)[(KERNEL_NUMBERS + KERNEL_PORTS + port) * b->stride + k], value);
@@ -343,8 +343,8 @@ static inline void generic_scale(element *own, const assembly *to, double unit) 
 }
 
 #ifdef KERNEL_TILTS
-/// Does the same for forces in N and moments in N m, and fills in the units of the ports divided by that of the
-/// element. Returns the latter, m or rad.
+/// Fills in the numbers that convert forces in N and moments in N m to accelerations, and the units of the ports
+/// divided by the unit of the element. Returns the unit of the element, m or rad.
 static double generic_tilts(element *own, const assembly *to) {
     double unit = 0.0;
     for (size_t port = KERNEL_PORTS; port-- > 0;)

@@ -26,15 +26,16 @@ typedef struct rigid_pair {
 struct whirl_rotor {
     double speed, clock, length;
     double cross_coupling; ///< sum of the cross couplings of all stages, N/m
-    /// -1: the shaft turns clockwise, and what turns with it turns by -tau (if the phase is a state, its slope has the
-    /// sign instead). 0: the shaft stands still.
+    /// 1, or -1 for a clockwise shaft, with which unbalances and other parts turn by -tau (if the phase is a state,
+    /// `way` is 1, and the slope of the phase has the sign); 0: the shaft stands still.
     double way;
     char keyphasor[WHIRL_NAME_SIZE + 16]; ///< name of the phase that defines sections; "": the shaft's
-    /// If the shaft's phase is a state: its row among the rates; its slope is the last number. Otherwise 0.
+    /// If the shaft's phase is a state: its row among the rates. The last of the machine's numbers is then its slope.
+    /// Otherwise 0.
     size_t phase;
     whirl_system system;
     whirl_lanes lanes;
-    int pair_laws[2];                  ///< if it is a pair (pair.h)
+    int pair_laws[2];                  ///< laws of shaft and rub, if the machine is a pair (pair.h)
     size_t station_count, plane_count; ///< stations, and those that move in x and y
     size_t term_count, element_count, contact_count;
     linear_term *terms;
@@ -42,8 +43,8 @@ struct whirl_rotor {
     /// Terms of shafts of finite elements; the same in all machines of a block.
     body_panels body;  ///< numbers, scaled except for their rates
     size_t first_rate; ///< index of the machine's rates among its numbers
-    size_t begun;      ///< first coordinate that the body initializes; previous ones are initialized by stations or are
-                       ///< 0
+    size_t begun;      ///< first coordinate whose acceleration the body sets; those before it are set by stations or
+                       ///< cleared
     between_term *between; ///< [between_count] displacements of nodes between stations as functions of those of the
                            ///< stations
     size_t between_count;
@@ -113,7 +114,8 @@ FOR_EVERY_ISA(lanes_switches, machine_switches);
 FOR_EVERY_ISA(lanes_forcing, machine_forcing);
 FOR_EVERY_ISA(lanes_contacts, machine_contacts);
 
-/// Fills in the other members for lanes.h (rotor_lanes.c), after the rotor's parts.
+/// Fills in the functions and the remaining members of rotor->lanes (rotor_lanes.c). To be called when the rotor's
+/// parts and the counts in rotor->lanes are filled in.
 void rotor_lanes_fill(whirl_rotor *rotor);
 
 /// Finds the rigid turn of a rotor whose stations twist, from its links and elements (turn.c).
@@ -155,8 +157,8 @@ size_t rotor_link_station(const whirl_rotor *rotor, const twist_link *own, size_
 /// Returns element `index` of those that carry torque (rotor_carries), or NULL past the last.
 const element *rotor_carrier(const whirl_rotor *rotor, size_t index);
 
-/// Returns the torque that such an element carries in a state x [dimension]. `numbers` of a machine replace the rotor's
-/// own, as in whirl_torque_path.
+/// Returns the torque, N m, that an element (rotor_carrier) carries in a state x [dimension]. `numbers` of a machine
+/// replace the rotor's own, as in whirl_torque_path.
 double rotor_carried(const whirl_rotor *rotor, const element *carrier, double *numbers, const double *x);
 
 /// Returns the number of torques that a run-up observes: those of springs between twists, of meshes, and of springs

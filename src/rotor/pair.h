@@ -12,7 +12,8 @@ struct element;
 enum { PAIR_STATIONS = 2 };
 enum { PAIR_SHAFT_LAW, PAIR_RUB_LAW, PAIR_LAWS };
 
-/// Returns true if a machine is a pair, with the coordinates of its stations in this order, and its laws.
+/// Returns true if a machine is a pair. Writes the order of its stations (disc, journal) and the laws of its elements
+/// [count].
 bool pair_find(const struct assembly *of, const struct element *elements, size_t count, size_t order[PAIR_STATIONS],
                int laws[PAIR_LAWS]);
 

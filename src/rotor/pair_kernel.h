@@ -2,8 +2,8 @@
 /// such as the paper of 2015. Integrators have their own loops for it (rk4_pair.inc, dop853_pair.inc), which consist
 /// of these phases of an acceleration.
 ///
-/// It calls the same kernels in the same order as kernels/machine.c does from its lists, so that the bits are the same.
-/// Three vectors are in progress at a time, so that the CPU's divider never waits.
+/// The phases call the same kernels in the same order as kernels/machine.c does from its lists, so that the bits are
+/// the same. Three vectors are in progress at a time, so that the CPU's divider never waits.
 #ifndef ROTOR_PAIR_KERNEL_H
 #define ROTOR_PAIR_KERNEL_H
 
@@ -33,10 +33,9 @@ enum {
     PAIR_NUMBERS = PAIR_RUB_NUMBERS + RUB_NUMBERS
 };
 
-/// Accelerations in progress, one in each phase, at their number modulo FILM_PLACES. All arrays have the stride with
-/// which the line is used.
+/// Accelerations in progress, one in each phase. Acceleration n, counted by `begun`, uses index n modulo FILM_PLACES.
 typedef struct pair_line {
-    bool balanced; ///< no journal has an unbalance, as usual: none is computed
+    bool balanced; ///< no journal has an unbalance (the usual case): its force is not computed
     size_t begun;
     const vec *number[FILM_PLACES], *q[FILM_PLACES], *v[FILM_PLACES];
     const vec *sides[FILM_PLACES];    ///< as for rub_kernel

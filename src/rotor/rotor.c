@@ -268,8 +268,8 @@ static void note_contact(whirl_rotor *rotor, size_t index) {
     name_contact(rotor, k);
 }
 
-/// Combines the revolutions after which all phases repeat with those of a phase that has `rounds` per revolution (NaN:
-/// it never repeats).
+/// Updates the number of revolutions after which all phases repeat for one more phase, whose effects have `rounds`
+/// periods per revolution (NaN: they never repeat).
 static void note_phase(whirl_rotor *rotor, double rounds) {
     const size_t repeats = repeats_of(rounds);
     rotor->repeats = rotor->turning ? repeats_of_both(rotor->repeats, repeats) : repeats;

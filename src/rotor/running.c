@@ -15,8 +15,8 @@ enum { SPLINE_NODES = 33, SPLINE_SPEEDS = 2 * SPLINE_NODES - 1, SPLINE_NUMBERS =
 /// Largest error of a number that counts as a sum of powers, divided by the number's largest value.
 static const double power_error = 2e-12;
 
-/// Speed, divided by the unit, below which the dry friction of a load yields, for machines that may stand while torques
-/// pulsate.
+/// Speed, divided by the unit, below which the dry friction of a load falls to 0 in proportion to the speed, for
+/// machines that may stand while torques pulsate.
 static const double slipping = 1e-4;
 
 // ---------------------------------------------------------------- numbers over the speed
@@ -308,8 +308,9 @@ static bool running_probe_moves(const whirl_probe *probe, size_t way) {
     return probe->x != probe->y || (way == 1) == probe->along_y;
 }
 
-/// Computes the lever of an unbalance at a ratio of the shaft's speed, with the numbers of the speed w and the states
-/// [own->states]; returns as element_type.lever.
+/// Computes the lever of element `index` if it is an unbalance that turns at a fixed ratio of the shaft's speed, with
+/// the numbers of the speed w and the states [own->states]. Returns what element_type.lever returns, 0 for other
+/// elements.
 static double running_geared_lever(const running_rotor *r, size_t index, double w, const double *states,
                                    double lever[2]) {
     element own = r->rotor->elements[index];
@@ -318,8 +319,8 @@ static double running_geared_lever(const running_rotor *r, size_t index, double 
     return own.type->lever(&own, w * r->unit, states, lever);
 }
 
-/// Counts the unbalances at ratios of the speed. Each of them has the distance U/m from the axis, at which the mass of
-/// its station adds to the inertia of its shaft.
+/// Counts the unbalances that turn at fixed ratios of the speed, and sums their effect on the inertia of the shaft: the
+/// mass m of a station at the distance U/m from the axis, times the square of the ratio.
 static void running_count_geared(running_rotor *r) {
     const whirl_rotor *rotor = r->rotor;
     running_numbers_at(r, 1.0);
@@ -336,8 +337,8 @@ static void running_count_geared(running_rotor *r) {
     }
 }
 
-/// Returns what unbalances of the shaft, with those of `lose`, add to its inertia about its axis: of each place the
-/// square of its moment over its mass, kg m2.
+/// Returns the part of the inertia about the shaft's axis that is due to unbalances, those of `lose` included, kg m2:
+/// the sum over the stations of the square of the unbalance divided by the mass.
 static double running_unbalance_inertia(const running_rotor *r) {
     double sum = 0.0;
     for (size_t i = 0; i < r->rotor->lanes.degrees; i++) {
@@ -447,8 +448,8 @@ static double running_turns_of(const running_rotor *r, size_t station) {
     return r->rotor->rigid[own->coordinate] * own->share;
 }
 
-/// A state by the angle: the exact speed of the shaft; the speed w by which derivatives by the angle were taken (at
-/// least `slowest`); the angle; and the state.
+/// A state whose derivatives are by the angle: the exact speed of the shaft; the speed w by which derivatives by the
+/// angle were taken (at least `slowest`); the angle; and the state.
 typedef struct running_state {
     double exact, w, angle;
     const double *x;
@@ -476,7 +477,7 @@ static double running_add_torque(const running_rotor *r, size_t station, double 
     return 0.0;
 }
 
-/// Returns true if the course of the run has a formula.
+/// Returns true if the course of the run has this formula.
 static bool running_has(const running_rotor *r, whirl_run_formula formula) {
     return r->how.course && r->how.course->has[formula];
 }
@@ -582,7 +583,7 @@ static double running_find_torques(const running_rotor *r, double *numbers, cons
     return whole + running_add_drag(r, s, &out->drag);
 }
 
-/// Adds the levers of unbalances at ratios of the speed w, in a state x by the angle.
+/// Adds the levers of unbalances that turn at fixed ratios of the speed w, in a state x by the angle.
 static void running_add_geared(const running_rotor *r, double w, const double *x) {
     const whirl_rotor *rotor = r->rotor;
     const size_t n = rotor->lanes.degrees;
@@ -604,8 +605,8 @@ static void running_add_geared(const running_rotor *r, double w, const double *x
     }
 }
 
-/// Computes the levers, which are force and acceleration of every coordinate by a unit of theta'', at the values C and
-/// S of the forcing, of the unbalances that turn with the shaft.
+/// Computes the levers of the unbalances that turn with the shaft, at the values C and S of the forcing. The levers of
+/// a coordinate are the force on it and its acceleration by a unit of theta''.
 static void running_find_levers(const running_rotor *r, const double *forcing) {
     const double way = r->rotor->way, c = way * forcing[COS_TAU], s = way * forcing[SIN_TAU];
     const turning_inertia *guided = r->how.lost ? r->lost_guided : r->rotor->guided;
@@ -719,7 +720,7 @@ static double *running_flow(const running_rotor *r, double w, const double *forc
     return numbers;
 }
 
-/// Computes the slopes by the angle at an angle.
+/// Computes the slopes dxdt of a state, by the angle, at a given angle.
 static void running_slopes_at(const running_rotor *r, double angle, const double *x, const double *sides,
                               double *dxdt) {
     const whirl_rotor *rotor = r->rotor;

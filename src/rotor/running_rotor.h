@@ -68,7 +68,7 @@ typedef struct running_lanes {
     size_t switches; ///< first of [2][switch_count] workspace
     size_t lever_count;
     size_t *lever;           ///< [lever_count] coordinates
-    size_t factor_count;     ///< number of these factors
+    size_t factor_count;     ///< number of factors of powers
     running_factor *factors; ///< [factor_count]
 } running_lanes;
 
@@ -91,11 +91,12 @@ typedef struct running_rotor {
     double *own_cos, *own_sin, *force_cos, *force_sin;
     double *lost_cos, *lost_sin, *lost_force_cos, *lost_force_sin;
     double *lever_force, *lever_acceleration;   ///< [degrees] workspace: levers of theta'' on a coordinate
-    double *geared_force, *geared_acceleration; ///< [degrees] workspace: those of unbalances at ratios of the speed
+    double *geared_force, *geared_acceleration; ///< [degrees] workspace: levers of unbalances at ratios of the speed
     turning_inertia lost_guided[2];             ///< rotor->guided and the unbalances of `lose`
-    double *guided_lever;  ///< [2] workspace: levers of theta'' along x and y of what does not move that way
-    double *alone;         ///< [degrees] share of an unbalance's square by a row: 1 if its station moves one way only
-    double own_inertia;    ///< kg m2: what unbalances add to the inertia about the shaft's axis
+    double *guided_lever; ///< [2] workspace: levers along x and y of stations that do not move along that axis
+    double *alone;      ///< [degrees] share of a row in the square of its station's unbalance: 1/2, or 1 if the station
+                        ///< moves along one axis only
+    double own_inertia; ///< kg m2: what unbalances add to the inertia about the shaft's axis
     double lost_inertia;   ///< kg m2: the same with those of `lose`
     size_t geared_count;   ///< unbalances at ratios of the speed
     double geared_inertia; ///< kg m2: what these add to the inertia about the shaft's axis
@@ -111,8 +112,8 @@ typedef struct running_rotor {
     size_t own;          ///< number of states of torques
     size_t at_speed;     ///< index of the speed among the states; it follows the rotor's states and those of torques
     double turn_inertia; ///< inertia of all turning parts, kg m2
-    double slip;         ///< speed below which the dry friction of the load yields, rad/s; 0: it never does
-    bool driven;         ///< torques drive the machine
+    double slip; ///< speed below which the dry friction of the load falls to 0, rad/s; 0: it never does (drive_load)
+    bool driven; ///< torques drive the machine
     whirl_system by_angle, by_time;
     whirl_lanes form;      ///< form of `together`
     whirl_system together; ///< by_angle in vector lanes, with the angle as time
@@ -120,7 +121,8 @@ typedef struct running_rotor {
     double from;           ///< angle at which the current part of a revolution begins
 } running_rotor;
 
-/// Finds the form of a machine in lanes, after all else of it. Returns false without memory (running_lanes.c).
+/// Fills in `lanes`, `form` and `together` when all other members are filled in. Returns false without memory
+/// (running_lanes.c).
 bool running_lanes_fill(running_rotor *r);
 
 /// Frees what running_lanes_fill allocated.

@@ -86,7 +86,7 @@ static bool torsion_drives(const whirl_rotor *rotor, const harmonic_torque *own,
 }
 
 static whirl_status torsion_check(const void *model) {
-    static const double rounding = 1e-9; // as of tables over the speed
+    static const double rounding = 1e-9; // as for tables over the speed (bearing.c)
     const whirl_rotor *rotor = model;
     for (size_t i = 0; i < rotor->harmonic_count; i++) {
         const harmonic_torque *own = &rotor->harmonics[i];
@@ -225,7 +225,8 @@ typedef struct torsion_motion {
     const double *rest, *v;
 } torsion_motion;
 
-/// Adds `factor` times the twist of a coordinate: of a motion its amplitude; of a displacement, including that at rest.
+/// Adds `factor` times the twist of a coordinate to `out`: its complex amplitude; or, for steady torques, the
+/// displacement with that at rest.
 static void torsion_twist(const torsion_motion *m, size_t coordinate, double factor, double out[2]) {
     if (coordinate == NO_COORDINATE) return;
     const double unit = factor * m->rotor->unit[coordinate];
@@ -313,13 +314,13 @@ static bool torsion_unknown(const whirl_rotor *rotor, size_t coordinate) {
     return false;
 }
 
-/// Adds the moments about z on a station from links, meshes, springs to the ground and from outside. Those of rigid
+/// Adds the moments about z on a station from links, meshes, springs to the ground and external torques. Those of rigid
 /// gears are left out.
 static void torsion_moments(const torsion_motion *m, size_t station, double sum[2]) {
     const whirl_rotor *rotor = m->rotor;
     const station_twist *at = &rotor->twists[station];
     double own[2];
-    // Add moments from outside, from links and from springs to the ground.
+    // Add external torques, and the moments of links and of springs to the ground.
     torsion_at(rotor, station, m->index, true, sum);
     for (size_t i = 0; i < rotor->link_count + rotor->hold_count; i++) {
         const twist_link *link = i < rotor->link_count ? &rotor->links[i] : &rotor->holds[i - rotor->link_count];

@@ -546,8 +546,8 @@ static void refused(void **state) {
     check_holds("Whirl in time", "a table that no function of so few points comes near",
                 status.code == WHIRL_BAD_INPUT && strstr(status.message, "bearing differs from its table by ") &&
                     strstr(status.message,
-                           " as a rational function of 0 poles, as which it acts in time, expected at "
-                           "most fit_error, 2 %: more poles, closer frequencies or a larger fit_error"));
+                           " with the rational function of 0 poles that replaces the table in motions, "
+                           "expected at most fit_error, 2 %: more poles, closer frequencies or a larger fit_error"));
 }
 
 /// Returns the result of a case with this bearing.

@@ -1,8 +1,8 @@
 // Ports of elements: the coordinates of their stations.
 #include "element.h"
 
-/// Finds the coordinates of a place along some axes, and its shares of them. There is none for the ground and for AXES.
-/// A station that does not move along x or y counts as ground there.
+/// Finds the coordinates `port` [count] of a place along axes [count], and the ratios `share` of its motion to them.
+/// The ground and the axis AXES have no coordinate; a station that does not move along x or y counts as ground there.
 static whirl_status find_place(const assembly *to, size_t station, const axis *axes, size_t count, size_t *port,
                                double *share) {
     for (size_t a = 0; a < count; a++) {

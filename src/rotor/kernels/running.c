@@ -37,14 +37,14 @@ static inline size_t running_speed_row(const running_rotor *r) {
     return r->at_speed - r->rotor->lanes.degrees;
 }
 
-/// Returns the speeds, and at least the slowest that laws take.
+/// Returns the speeds, at least `slowest`, since laws divide by the speed.
 static inline vec running_speed(const running_vector *own) {
     return v_max(v_set(slowest), own->v[running_speed_row(own->r) * own->stride + own->k]);
 }
 
 enum { AT_ONCE = 4 }; ///< vectors whose numbers are evaluated together
 
-/// Evaluates the numbers that vary of `count` vectors from k on, at the present speeds times `share`.
+/// Evaluates the numbers that vary with the speed, for `count` vectors from k on, at the present speeds times `share`.
 VECTOR_INLINE void running_put_some_numbers(const lanes_view *view, size_t k, size_t count, vec share) {
     const running_rotor *r = view->model;
     vec powers[POWERS][AT_ONCE];

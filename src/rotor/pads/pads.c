@@ -213,7 +213,8 @@ static void add_groove(const whirl_pads *bearing, size_t pad, whirl_pads_state *
     const whirl_pad *before = &bearing->pads[pad];
     const double half = 0.5 * whirl_pads_gap(bearing, pad);
     const double middle = before->pivot + (1.0 - before->offset) * before->arc + half;
-    // The force is 3 int int P (-cos p, -sin p), where the mean along the axis is between 1 and the share that is full.
+    // The force is 3 int int P (-cos p, -sin p). Along the axis P is constant over the share `groove` and falls
+    // linearly to 0 at the ends: its mean is half of 1 + groove.
     const double size = -6.0 * bearing->supply * 0.5 * (1.0 + bearing->groove) * 2.0 * sin(half);
     state->grooves[0] += size * cos(middle);
     state->grooves[1] += size * sin(middle);

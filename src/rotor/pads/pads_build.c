@@ -271,8 +271,7 @@ void pads_note(const element *own, double length, double clock, char *text, size
         own->law);
 }
 
-/// Returns the clearance. For fixed pads, the largest displacement in any direction is at least that by which pads are
-/// apart.
+/// Returns the clearance. Around fixed pads the journal can move at least that far in every direction.
 double pads_clearance(const element *own) {
     const double *pad = own->number + PADS_FIRST;
     return (1.0 - hypot(pad[PAD_SHIFT_X], pad[PAD_SHIFT_Y])) / own->number[PADS_OVER_CLEARANCE];

@@ -27,7 +27,7 @@ void held_piece(const mesh_piece *own, matrix4 *stiffness, matrix4 *axial);
 void held_fill(const held_shaft *of, bool axial, double *matrix);
 
 /// Computes influence [supports][supports], N/m: the load on a support (row) if another support (column) is raised by 1
-/// m, from the stiffness of the shaft alone.
+/// m, from the stiffness of the shaft alone. WHIRL_BAD_INPUT if the supports do not hold the shaft; WHIRL_NO_MEMORY.
 whirl_status held_influence(const held_shaft *of, double *influence);
 
 #endif

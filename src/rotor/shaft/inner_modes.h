@@ -18,11 +18,11 @@ typedef struct inner_modes {
 /// Writes the solution of a problem if it is remembered. Otherwise returns false, and writes nothing.
 bool inner_modes_recall(const inner_modes *of);
 
-/// Notes a problem that is to be solved, for inner_modes_keep. Returns NULL if it is too small or too large to be
-/// remembered, or without memory.
+/// Copies a problem before it is solved. Returns the copy, which inner_modes_keep takes over; NULL if the problem is
+/// too small or too large to be remembered, or without memory.
 double *inner_modes_begin(const inner_modes *of);
 
-/// Remembers a problem and its solution. Takes over `begun`.
+/// Remembers the solution of a problem. Takes over `begun`, the copy by inner_modes_begin.
 void inner_modes_keep(const inner_modes *of, double *begun);
 
 #endif

@@ -244,9 +244,9 @@ static void names(void **state) {
                    "turns at 100 rad/s, which is the frequency of synchronous motions");
     expect_problem(
         "- gravity: 9.81 m/s2", "- bearing: {at: disc, frequencies: [5, 500], kxx: [1 N/m, 2 N/m]}",
-        "t:19:3: study.sweep: bearing differs from its table by 40 % at 500 rad/s as a rational function of 0 "
-        "poles, as which it acts in time, expected at most fit_error, 2 %: more poles, closer frequencies or "
-        "a larger fit_error");
+        "t:19:3: study.sweep: bearing differs from its table by 40 % at 500 rad/s with the rational function of 0 "
+        "poles that replaces the table in motions, expected at most fit_error, 2 %: more poles, closer "
+        "frequencies or a larger fit_error");
     expect_problem("- gravity: 9.81 m/s2", "- bearing: {at: disc, kxx: 1 N/m, poles: 3}",
                    "t:17:7: rotor.elements[4].bearing: bearing has 3 poles, expected an even number");
     expect_problem("load: 200 N", "load: [200 N]",

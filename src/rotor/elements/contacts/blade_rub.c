@@ -12,8 +12,8 @@ enum { MAX_BLADES = KERNEL_SWITCHES };
 
 /// Numbers, in the notation of blade_rub_kernel.h: the casing's radius in length scales; p - 1; mu with the sign of
 /// the rotation; theta' by tau; theta_0; cosine and sine of the angle between blades; a length scale in metres with the
-/// sign of the rotation; the power in W of 1 N that moves a length scale by tau; of each blade k_j in newtons by length
-/// scales to the power p, and l_j.
+/// sign of the rotation; the power in W of 1 N at a speed of one length scale by tau; of each blade k_j in newtons by
+/// length scales to the power p, and l_j.
 ///
 /// The law contains the number of blades, and whether keys give the power p (otherwise it is 1) and the friction
 /// (otherwise it is 0).
@@ -95,7 +95,7 @@ static whirl_status check_list(const key_value *values, int key) {
                       keys[key].name, blades);
 }
 
-/// Returns the rounds per revolution after which the pattern of blades repeats; that of n equal blades repeats n times.
+/// Returns the number of periods of the pattern of blades in a revolution; n equal blades have n periods a turn.
 static double blade_rub_rounds(const element *own, size_t state) {
     (void)state;
     bool alike = true;
@@ -142,9 +142,9 @@ static whirl_status blade_rub_build(const key_value *values, assembly *to, eleme
     return whirl_ok();
 }
 
-/// Applies the second derivatives. tau = ud + l uz Je is the change of a tip t, and e the blade's direction. The
-/// derivatives n = t/|t| by displacement and l n Je by angle change by dn = (tau - n (n tau))/|t| and l (dn Je - uz n
-/// e).
+/// Applies the second derivatives of a depth to the perturbation ud of the displacement and uz of the angle. tau = ud +
+/// l uz Je is the change of a tip t, and e the blade's direction (blade_rub_kernel.h). The derivatives n = t/|t| by
+/// displacement and l n Je by angle change by dn = (tau - n (n tau))/|t| and l (dn Je - uz n e).
 static void blade_rub_curvature(const element *own, const element_place *at, size_t index, const element_place *along,
                                 element_place *by) {
     const double *number = own->number, length = number[BLADE_LENGTHS + index];

@@ -24,7 +24,7 @@ enum {
 /// Numbers, in the notation of contact_kernel.h: gap; K in newtons by length scales to the power n; n - 1; chi; R (the
 /// surface's speed by tau); f_k; f_s - f_k; 1/v_s; v_0; s_2; s_0; s_1; s_0/s_1; all in length scales by tau. Then
 /// direction of the arc's middle, and cosine of half of the arc; R with the sign of the rotation; a length scale in
-/// metres; the power in W of 1 N that slides at 1.
+/// metres; the power in W of 1 N that slides at one length scale by tau.
 enum {
     CONTACT_GAP,
     CONTACT_STIFFNESS,

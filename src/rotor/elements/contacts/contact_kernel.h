@@ -119,7 +119,7 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
 }
 
 #ifndef NUMBERS_DUAL
-/// Computes the effect of friction under a normal force, two rows.
+/// Computes torque and power of the friction under a normal force, the two rows of `out` (element_kernels.contact).
 static inline void KERNEL(rubbing)(const element *own, const kernel_view *view, vec normal, const vec *d, const vec *w,
                                    const vec *s, vec *out) {
     const size_t stride = view->stride;

@@ -9,8 +9,8 @@
 /// of v_t, so that backward whirl settles to rolling where v_t = 0 (Black 1968); with a slip speed v_0 the sign grows
 /// as v_t/sqrt(v_t^2 + v_0^2).
 ///
-/// The laws change where r - gap, with damping also N, and with a sharp sign also v_t change theirs: these are the
-/// switches, in this order. A rub is in contact where the first two are positive.
+/// The law changes where r - gap changes sign; with damping also where N does; with a sharp sign of friction also where
+/// v_t does. These functions are the switches, in this order. A rub is in contact where the first two are positive.
 #ifndef ROTOR_RUB_KERNEL_H
 #define ROTOR_RUB_KERNEL_H
 
@@ -19,7 +19,7 @@
 
 /// Numbers, in length scales: gap; k/(m omega^2); c/(m omega); f; R (the surface's speed by tau); v_0. Then newtons of
 /// a unit of N; the square of the gap; R with the sign of the rotation, 0 if it is unknown; a length scale in metres;
-/// the power in W of 1 N that slides at 1.
+/// the power in W of 1 N that slides at one length scale by tau.
 enum {
     RUB_GAP,
     RUB_STIFFNESS,
@@ -100,7 +100,7 @@ static inline vec rub_slip(const rub_place *p, size_t stride, const vec *number)
     return v_add(number[RUB_SURFACE * stride], transverse);
 }
 
-/// Returns the coefficient of friction with the sign by the law.
+/// Returns the coefficient of friction with the sign that the law gives it.
 VECTOR_INLINE vec rub_friction(const element *rub, size_t stride, const vec *number, const vec *sides,
                                const rub_place *p) {
     const vec f = number[RUB_FRICTION * stride];
@@ -128,7 +128,8 @@ static inline vec rub_normal(const element *rub, size_t stride, const vec *numbe
     return v_mul(number[RUB_NEWTONS * stride], v_mul(p.push, p.r));
 }
 
-/// Computes the effect of friction, two rows of `out`. It is NaN if friction acts and the radius is unknown.
+/// Computes torque and power of the friction, the two rows of `out` (element_kernels.contact). They are NaN if friction
+/// acts and the radius is unknown.
 static inline void rub_rubbing(const element *rub, size_t stride, const vec *number, const vec *q, const vec *v,
                                vec *out) {
     const vec zero = v_set(0.0), lever = number[RUB_LEVER * stride], none = v_div(zero, zero);

@@ -10,9 +10,9 @@ typedef struct radial_form {
     double by_r, by_growth;
 } radial_form;
 
-/// Computes its derivatives by displacement and velocity, [2] each.
+/// Computes the derivatives of this function by displacement and velocity, [2] each.
 void radial_gradient(radial_form of, const double *q, const double *v, double *by_q, double *by_v);
-/// Computes its second derivatives applied to the perturbation (uq, uv).
+/// Computes the second derivatives of this function applied to the perturbation (uq, uv).
 void radial_curvature(radial_form of, const double *q, const double *v, const double *uq, const double *uv,
                       double *by_q, double *by_v);
 

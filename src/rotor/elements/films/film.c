@@ -190,7 +190,8 @@ static whirl_status film_build(const key_value *values, assembly *to, element *o
     out->number[FILM_STRENGTH] = FILM_STRENGTH_OF_1 * square * strength / assembly_force_scale(to, out->port[0]);
     out->number[FILM_TWICE] = 2.0 / (to->turn * speed);
     out->number[FILM_QUARTER] = copysign(1.57079632679489661923, to->turn * speed);
-    // Ratios that are given may pass 1 in a sweep, all machines of which must have one structure.
+    // A ratio that is given may pass 1 in a sweep, whose machines must all have one structure: it takes the variant
+    // even at 1.
     const bool ratios = values[JOURNAL_RATIO].given || values[HOUSING_RATIO].given || speed != 1.0;
     if (out->law || values[FROM].given || ratios) build_finite(values, to, &by, out);
     return whirl_ok();

@@ -1,5 +1,5 @@
 /// Pipeline of films over vectors. Three vectors are in films at a time, one in each phase of film_kernel.h. The
-/// vectors of one film follow those of the other.
+/// vectors of each film follow those of the film before it.
 #ifndef ROTOR_FILM_FLOW_H
 #define ROTOR_FILM_FLOW_H
 

@@ -48,7 +48,7 @@ static inline void film_slope_x(const film_slopes *s, vec *X, vec *Y) {
     *Y = v_fma(s->y, T, v_fnma(s->A, G, v_mul(s->B, S)));
 }
 
-/// Computes the same by y.
+/// Computes -q times the derivatives of the force by y at fixed A and B.
 static inline void film_slope_y(const film_slopes *s, vec *X, vec *Y) {
     const vec H = v_mul(v_fma(s->E, s->P, s->G), s->over_q);
     const vec G = v_fnma(s->E, s->A, v_mul(s->y, H)), S = v_sub(v_set(0.0), v_mul(s->B, s->K));
@@ -58,7 +58,7 @@ static inline void film_slope_y(const film_slopes *s, vec *X, vec *Y) {
     *Y = v_add(s->T, v_fma(s->y, T, v_fnma(s->A, G, v_mul(s->B, S))));
 }
 
-/// Computes the same by the angle of (A, B).
+/// Computes -q times the derivatives of the force by the angle of (A, B).
 static inline void film_slope_angle(const film_slopes *s, vec *X, vec *Y) {
     const vec G = v_mul(s->E, s->U), S = v_mul(s->P, s->K);
     const vec T = v_mul(v_mul(v_set(3.0), v_fma(s->U, s->G, v_mul(s->P, G))), s->over_q);

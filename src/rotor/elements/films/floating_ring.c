@@ -147,7 +147,8 @@ static void floating_ring_doubt(const key_value *values, double speed, const dou
     }
 }
 
-/// Computes the ratio of the ring's speed to the shaft's.
+/// Implements element_type.paced: the state represents the ratio of the ring's speed to the shaft's, which is written
+/// in units of the state.
 static void floating_ring_paced(const element *own, const double *states, double *out) {
     out[0] = states[0] + own->number[RING_STATE_UNIT] * own->number[RING_SPEED];
 }

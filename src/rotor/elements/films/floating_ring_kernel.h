@@ -3,8 +3,8 @@
 // A film between surfaces that turn at a and b times the shaft's speed is that of film_kernel.h with A = s x - 2y' and
 // B = s y + 2x' in place of its A and B, where s = a + b. s may be negative, since the mirror image of a film that
 // turns backwards has the same A and B; and 0, for a film that is only squeezed. If the ring turns at r times the
-// shaft's speed, s is 1 + r in the inner film and r in the outer one. The oil of each film drags it along or holds it
-// back with
+// shaft's speed, s is 1 + r in the inner film and r in the outer one. The oil of each film drags the ring along or
+// holds it back with the torque
 //
 //     2 pi mu R^3 L (a - b)/(c sqrt(1 - e^2))
 //

@@ -5,7 +5,8 @@
 #include <math.h>
 
 /// Returns the least film thickness of a pad in units of its clearance, with the journal at (x, y) in the frame of the
-/// pad's middle. It is at an edge or, if that lies between the edges, on the line to the journal.
+/// pad's middle. The film is thinnest at an edge or, if the direction of the journal's displacement is between the
+/// edges, there.
 static inline double pads_thinnest(const double *pad, double x, double y) {
     const double cosine = pad[PAD_HALF_COSINE], half = acos(cosine);
     const double edges = fmin(1.0 - x * cosine - y * sin(half), 1.0 - x * cosine + y * sin(half));

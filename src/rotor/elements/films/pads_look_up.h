@@ -54,7 +54,8 @@ static inline bool pads_are_light(const element *own) {
     return own->states / (size_t)own->law % 2 == 1;
 }
 
-/// Compute four B-splines at u, which is 0 to 1 between two nodes; and their derivatives, where u changes by over_step.
+/// Compute four B-splines at u, which is 0 to 1 between two nodes; and their derivatives by the coordinate along the
+/// axis, whose unit changes u by over_step.
 VECTOR_INLINE void pads_splines(vec u, vec value[4]) {
     const vec m = v_sub(v_set(1.0), u), sixth = v_set(1.0 / 6.0), uu = v_mul(u, u), mm = v_mul(m, m);
     value[0] = v_mul(sixth, v_mul(mm, m));

@@ -14,7 +14,7 @@
 #include "bracket.h"
 #include "elements/films/pads_gap.h"
 
-/// Computes the rates of tilts and of yielding pivots, as element_type.paced.
+/// Implements element_type.paced: the rates of tilts and of yielding pivots are derivatives of first order.
 static void pads_paced(const element *own, const double *states, double *out) {
     const size_t pads = (size_t)own->law, tilts = pads_are_light(own) ? pads : 2 * pads;
     for (size_t i = 0; i < own->states; i++) {
@@ -110,8 +110,8 @@ static bool pads_follow_tilt(pads_rest *at, const double ends[2], bracket *found
     return true;
 }
 
-/// Returns true if a pad has a balance at at->begin from which its moment leads away: only with the journal that moves,
-/// too, it may stay there.
+/// Returns true if at->begin is an unstable balance of the pad around a fixed journal. The pad may stay there if the
+/// journal moves as well.
 static bool pads_are_held(pads_rest *at, const double ends[2]) {
     const double aside = 1e-6 * (ends[1] - ends[0]), rounding = 1e-8;
     if (!(at->begin - aside > ends[0] && at->begin + aside < ends[1])) return false;

@@ -1,8 +1,9 @@
 // A squeeze film damper: a cylinder that does not turn, in an oil film of clearance c.
 //
 // The centre of the cylinder is at r = (x, y) from that of its housing and moves at v, both in clearances. The film's
-// thickness is h = 1 - r.n in the direction n = (cos phi, sin phi). By Reynolds' equation without wedge the pressure,
-// over the length in the short damper and at every place in the long one, is proportional to
+// thickness is h = 1 - r.n in the direction n = (cos phi, sin phi). By Reynolds' equation without the wedge term the
+// pressure (in the short damper its integral over the length, in the long one its value at every axial position) is
+// proportional to
 //
 //     short: v.n/h^3,      long: w.n (1/h + 1/h^2),   w = (2v + r (r.v))/(2 + r^2),
 //

@@ -14,14 +14,15 @@ static const whirl_key keys[KEY_COUNT] = {
                            "required unless stations twist, whose own inertia counts"),
     [AT] = STATION_KEY("at", OPTIONAL, "station of the motor; required if stations twist, else it turns the shaft"),
     [TORQUE] = NUMBER_KEY("torque", "T", "N m", OPTIONAL, WHIRL_ANY, "torque of the motor at standstill"),
-    [NO_LOAD] =
-        CITED_NUMBER_KEY("no_load_speed", "", "rad/s", OPTIONAL, WHIRL_POSITIVE,
-                         "speed at which that torque has fallen to 0 along a line; absent: it stays", "Kononenko 1969"),
-    [SPEEDS] =
-        CITED_NUMBERS_KEY("speeds", "", "rad/s", OPTIONAL, WHIRL_NOT_NEGATIVE,
-                          "rising, at which `torques` are given, in place of torque; between them monotone cubics",
-                          "Fritsch, Butland 1984"),
-    [TORQUES] = CITED_NUMBERS_KEY("torques", "", "N m", OPTIONAL, WHIRL_ANY, "of the motor at these speeds", ""),
+    [NO_LOAD] = CITED_NUMBER_KEY("no_load_speed", "", "rad/s", OPTIONAL, WHIRL_POSITIVE,
+                                 "speed at which the torque has fallen linearly to 0; absent: the torque is constant",
+                                 "Kononenko 1969"),
+    [SPEEDS] = CITED_NUMBERS_KEY(
+        "speeds", "", "rad/s", OPTIONAL, WHIRL_NOT_NEGATIVE,
+        "rising speeds at which `torques` are given, in place of torque; between them monotone cubics",
+        "Fritsch, Butland 1984"),
+    [TORQUES] =
+        CITED_NUMBERS_KEY("torques", "", "N m", OPTIONAL, WHIRL_ANY, "torques of the motor at these speeds", ""),
     [LOAD_AT] = STATION_KEY("load_at", OPTIONAL, "station of the load; absent: that of the motor"),
     [LOAD] =
         NUMBER_KEY("load", "", "N m", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "torque of dry friction against the rotation"),

@@ -16,8 +16,8 @@ enum {
     HARMONIC_NUMBERS = HARMONIC_OWN + 4
 };
 
-/// The largest ratio of a phase, in either direction; and most turns in a revolution of motions, whose steps and
-/// samples are counted in turns.
+/// Largest accepted speed of a phase over that of the shaft, in either direction. For motions also the maximum number
+/// of turns of a phase in a revolution, since their steps and samples are counted in turns.
 #define HARMONIC_FASTEST 1000.0
 
 extern const element_kernels *const harmonic_kernels[VECTOR_ISAS];

@@ -22,20 +22,21 @@ enum {
 
 static const whirl_key keys[KEY_COUNT] = {
     [AT] = STATION_KEY("at", OPTIONAL, "station of its rotor; required if stations twist, else it turns the shaft"),
-    [VOLTAGE] = NUMBER_KEY("voltage", "V", "V", REQUIRED, WHIRL_POSITIVE, "of the line, rms between two phases"),
-    [FREQUENCY] = NUMBER_KEY("frequency", "f", "Hz", REQUIRED, WHIRL_POSITIVE,
-                             "of the line; reactances are those at this frequency"),
+    [VOLTAGE] = NUMBER_KEY("voltage", "V", "V", REQUIRED, WHIRL_POSITIVE, "line voltage, rms between two phases"),
+    [FREQUENCY] =
+        NUMBER_KEY("frequency", "f", "Hz", REQUIRED, WHIRL_POSITIVE, "line frequency, at which the reactances hold"),
     [POLES] = WHOLE_KEY("poles", "P", REQUIRED, WHIRL_FROM_TO(2, 1000), "number of poles, even"),
-    [STATOR_RESISTANCE] = NUMBER_KEY("stator_resistance", "r_s", "ohm", REQUIRED, WHIRL_NOT_NEGATIVE, "of a phase"),
+    [STATOR_RESISTANCE] = NUMBER_KEY("stator_resistance", "r_s", "ohm", REQUIRED, WHIRL_NOT_NEGATIVE,
+                                     "resistance of a phase of the stator"),
     [STATOR_REACTANCE] =
-        NUMBER_KEY("stator_reactance", "X_ls", "ohm", REQUIRED, WHIRL_POSITIVE, "leakage of the stator"),
-    [MAGNETIZING_REACTANCE] = NUMBER_KEY("magnetizing_reactance", "X_m", "ohm", REQUIRED, WHIRL_POSITIVE, "of the gap"),
+        NUMBER_KEY("stator_reactance", "X_ls", "ohm", REQUIRED, WHIRL_POSITIVE, "leakage reactance of the stator"),
+    [MAGNETIZING_REACTANCE] =
+        NUMBER_KEY("magnetizing_reactance", "X_m", "ohm", REQUIRED, WHIRL_POSITIVE, "reactance of the air gap"),
     [ROTOR_REACTANCE] = NUMBER_KEY("rotor_reactance", "X_lr", "ohm", REQUIRED, WHIRL_POSITIVE,
-                                   "leakage of the rotor, seen from the "
-                                   "stator"),
-    [ROTOR_RESISTANCE] =
-        NUMBER_KEY("rotor_resistance", "r_r", "ohm", REQUIRED, WHIRL_POSITIVE, "of the rotor, seen from the stator"),
-    [PHASE] = ANGLE_KEY("phase", "phi_0", NULL, "of the voltage when it is switched on, at t = 0"),
+                                   "leakage reactance of the rotor, referred to the stator"),
+    [ROTOR_RESISTANCE] = NUMBER_KEY("rotor_resistance", "r_r", "ohm", REQUIRED, WHIRL_POSITIVE,
+                                    "resistance of the rotor, referred to the stator"),
+    [PHASE] = ANGLE_KEY("phase", "phi_0", NULL, "phase of the voltage at t = 0, when it is switched on"),
 };
 
 /// Numbers of the law: amplitude of a phase's voltage, frequency of the line in rad/s, pairs of poles, then the motor's

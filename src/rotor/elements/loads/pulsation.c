@@ -11,23 +11,25 @@ enum { AT, ORDERS, FREQUENCIES, AMPLITUDES, SHARES, RATED, PHASES, STEADY, SPEED
 
 static const whirl_key keys[KEY_COUNT] = {
     [AT] = STATION_KEY("at", REQUIRED, "station on which they act; it twists"),
-    [ORDERS] = CITED_NUMBERS_KEY("orders", "", "1", OPTIONAL, WHIRL_POSITIVE,
-                                 "frequencies over the speed of this station, by its gears", "API RP 684"),
-    [FREQUENCIES] = CITED_NUMBERS_KEY("frequencies", "", "Hz", OPTIONAL, WHIRL_POSITIVE,
-                                      "fixed frequencies in place of orders, as of the line and twice that", ""),
+    [ORDERS] =
+        CITED_NUMBERS_KEY("orders", "", "1", OPTIONAL, WHIRL_POSITIVE,
+                          "frequencies divided by the speed of this station, which its gears determine", "API RP 684"),
+    [FREQUENCIES] =
+        CITED_NUMBERS_KEY("frequencies", "", "Hz", OPTIONAL, WHIRL_POSITIVE,
+                          "fixed frequencies in place of orders, such as line frequency and twice that", ""),
     [AMPLITUDES] = CITED_NUMBERS_KEY("amplitudes", "", "N m", OPTIONAL, WHIRL_ANY,
-                                     "zero to peak, one for each order or frequency, along the rotation of the "
-                                     "station; with speeds a list over these for each",
+                                     "torque amplitudes, zero to peak, one for each order or frequency, along the "
+                                     "rotation of the station; with speeds a list over the speeds for each",
                                      ""),
-    [SHARES] =
-        CITED_NUMBERS_KEY("shares", "", "1", OPTIONAL, WHIRL_ANY, "in place of amplitudes: over the rated torque", ""),
+    [SHARES] = CITED_NUMBERS_KEY("shares", "", "1", OPTIONAL, WHIRL_ANY,
+                                 "in place of amplitudes: amplitudes divided by the rated torque", ""),
     [RATED] = NUMBER_KEY("rated", "T_0", "N m", OPTIONAL, WHIRL_POSITIVE, "rated torque, for shares"),
     [PHASES] = CITED_NUMBERS_KEY("phases", "", "rad", OPTIONAL, WHIRL_ANY,
                                  "phases at t = 0, one for each; at phase 0 the torque is largest; absent: 0", ""),
-    [STEADY] = CITED_NUMBERS_KEY("steady", "", "N m", OPTIONAL, WHIRL_ANY,
-                                 "constant torque along the rotation of the station, below 0 for a load; with speeds a "
-                                 "list over these",
-                                 ""),
+    [STEADY] = CITED_NUMBERS_KEY(
+        "steady", "", "N m", OPTIONAL, WHIRL_ANY,
+        "constant torque along the rotation of the station, below 0 for a load; with speeds a list over the speeds",
+        ""),
     [SPEEDS] = CITED_NUMBERS_KEY("speeds", "", "rad/s", OPTIONAL, WHIRL_NOT_NEGATIVE,
                                  "rising speeds of the station for torques that change with it; between them monotone "
                                  "cubics",

@@ -9,10 +9,11 @@ enum { AT, TORQUE, FREQUENCY, FIRST, SECOND, DECAY, TIME, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
     [AT] = STATION_KEY("at", OPTIONAL, "station of its rotor; required if stations twist, else it turns the shaft"),
-    [TORQUE] = NUMBER_KEY("torque", "T_0", "N m", REQUIRED, WHIRL_POSITIVE, "rated torque, by which factors count"),
-    [FREQUENCY] = NUMBER_KEY("frequency", "f", "Hz", REQUIRED, WHIRL_POSITIVE, "of the line"),
+    [TORQUE] = NUMBER_KEY("torque", "T_0", "N m", REQUIRED, WHIRL_POSITIVE,
+                          "rated torque, of which the factors are multiples"),
+    [FREQUENCY] = NUMBER_KEY("frequency", "f", "Hz", REQUIRED, WHIRL_POSITIVE, "line frequency"),
     [FIRST] = NUMBER_KEY("first", "a_1", "1", REQUIRED, WHIRL_ANY,
-                         "factor of the part at line frequency, along the rotation; of the maker"),
+                         "factor of the part at line frequency, along the rotation; as stated by the maker"),
     [SECOND] = NUMBER_KEY("second", "a_2", "1", DEFAULT("0"), WHIRL_ANY,
                           "factor of the part at twice line frequency (a short circuit of two phases)"),
     [DECAY] = NUMBER_KEY("decay", "T_a", "s", REQUIRED, WHIRL_POSITIVE, "time in which both fall to 1/e"),

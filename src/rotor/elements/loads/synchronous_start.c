@@ -12,16 +12,17 @@ enum { AT, FREQUENCY, POLES, MEAN, PULSATING, SLIPS, PHASE, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
     [AT] = STATION_KEY("at", OPTIONAL, "station of its rotor; required if stations twist, else it turns the shaft"),
-    [FREQUENCY] = NUMBER_KEY("frequency", "f", "Hz", REQUIRED, WHIRL_POSITIVE, "of the line"),
+    [FREQUENCY] = NUMBER_KEY("frequency", "f", "Hz", REQUIRED, WHIRL_POSITIVE, "line frequency"),
     [POLES] = WHOLE_KEY("poles", "P", REQUIRED, WHIRL_FROM_TO(2, 1000), "number of poles, even"),
     [MEAN] = CITED_NUMBERS_KEY("mean", "T_a", "N m", REQUIRED, WHIRL_ANY,
                                "mean torque, one number or one for each of `slips`", ""),
     [PULSATING] = CITED_NUMBERS_KEY("pulsating", "T_p", "N m", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                                     "amplitude of the pulsating torque, one number or one for each of `slips`", ""),
-    [SLIPS] = CITED_NUMBERS_KEY("slips", "s", "1", OPTIONAL, WHIRL_ANY,
-                                "rising, 1 at standstill and 0 at synchronous speed; between them monotone cubics",
-                                "Fritsch, Butland 1984"),
-    [PHASE] = ANGLE_KEY("phase", "psi_0", NULL, "of the pulsation at t = 0, for a station at the angle 0"),
+    [SLIPS] =
+        CITED_NUMBERS_KEY("slips", "s", "1", OPTIONAL, WHIRL_ANY,
+                          "rising slips, 1 at standstill and 0 at synchronous speed; between them monotone cubics",
+                          "Fritsch, Butland 1984"),
+    [PHASE] = ANGLE_KEY("phase", "psi_0", NULL, "phase of the pulsation at t = 0, for a station at the angle 0"),
 };
 
 /// Numbers of the law, and the rows of its table.

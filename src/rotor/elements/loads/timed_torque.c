@@ -11,11 +11,11 @@ enum { AT, TIMES, TORQUES, KEY_COUNT };
 static const whirl_key keys[KEY_COUNT] = {
     [AT] = STATION_KEY("at", OPTIONAL, "station that it turns; required if stations twist, else it turns the shaft"),
     [TIMES] = CITED_NUMBERS_KEY("times", "", "s", REQUIRED, WHIRL_NOT_NEGATIVE,
-                                "rising, at which torques are given; between them monotone cubics, outside the first "
-                                "and the last torque",
+                                "rising times at which torques are given; between them monotone cubics, outside them "
+                                "the first or the last torque",
                                 "Fritsch, Butland 1984"),
     [TORQUES] = CITED_NUMBERS_KEY("torques", "", "N m", REQUIRED, WHIRL_ANY,
-                                  "at these times, along the rotation; negative where they brake", ""),
+                                  "torques at these times, along the rotation; negative where they brake", ""),
 };
 
 enum { ROW_TIME, ROW_TORQUE };

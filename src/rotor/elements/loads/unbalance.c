@@ -7,7 +7,8 @@
 
 enum { AT, MOMENT, ANGLE, RATIO, SPEED, KEYPHASOR, KEY_COUNT };
 
-/// Laws of an unbalance with a phase of its own: of another shaft, or of one whose speed has a ratio to the rotor's.
+/// Laws of an unbalance with a phase of its own. UNBALANCE_ALONE: its speed does not depend on the rotor's;
+/// UNBALANCE_GEARED: its speed is a fixed ratio of the rotor's.
 enum { UNBALANCE_ALONE, UNBALANCE_GEARED };
 
 static const whirl_key keys[KEY_COUNT] = {

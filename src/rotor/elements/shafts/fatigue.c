@@ -18,7 +18,9 @@ enum {
 };
 
 static const whirl_key keys[KEY_COUNT] = {
-    [BETWEEN] = STATIONS_KEY("between", REQUIRED, "the two stations whose shaft, coupling or gear the curve is of"),
+    [BETWEEN] =
+        STATIONS_KEY("between", REQUIRED,
+                     "the two stations that are joined by the shaft, coupling or gear to which the curve applies"),
     [TORQUES] = CITED_NUMBERS_KEY("torque_ranges", "", "N m", OPTIONAL, WHIRL_POSITIVE,
                                   "points of the curve: ranges of the torque, peak to peak, the largest first; one "
                                   "point with slope, or several, between and below which the curve is straight over "
@@ -27,16 +29,16 @@ static const whirl_key keys[KEY_COUNT] = {
     [STRESSES] = CITED_NUMBERS_KEY("stress_ranges", "", "Pa", OPTIONAL, WHIRL_POSITIVE,
                                    "in place of torque_ranges: ranges of the shear stress, with its concentration", ""),
     [LIVES] = CITED_NUMBERS_KEY("cycles", "N", "1", REQUIRED, WHIRL_POSITIVE,
-                                "cycles to failure at these ranges, whatever the mean", ""),
+                                "cycles to failure at these ranges, independent of the mean", ""),
     [SLOPE] = NUMBER_KEY("slope", "m", "1", OPTIONAL, WHIRL_ABOVE_TO(0.0, 1000.0),
-                         "of a curve of one point: N grows with 1/range to this power"),
+                         "exponent of a curve with one point: N is proportional to 1/range to this power"),
     [ENDURANCE_TORQUE] = NUMBER_KEY("endurance_torque", "", "N m", OPTIONAL, WHIRL_POSITIVE,
                                     "range up to which cycles do no damage; absent: every cycle counts"),
     [ENDURANCE_STRESS] =
         NUMBER_KEY("endurance_stress", "", "Pa", OPTIONAL, WHIRL_POSITIVE, "the same for stress_ranges"),
-    [DIAMETER] = NUMBER_KEY(
-        "diameter", "d", "m", OPTIONAL, WHIRL_POSITIVE,
-        "of the section whose stress counts; absent: the weakest section of the shaft or coupling between them"),
+    [DIAMETER] = NUMBER_KEY("diameter", "d", "m", OPTIONAL, WHIRL_POSITIVE,
+                            "outer diameter of the section whose stress counts; absent: that of the weakest section of "
+                            "the shaft or coupling"),
     [INNER] = NUMBER_KEY("inner", "d_i", "m", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "inner diameter there"),
     [CONCENTRATION] = NUMBER_KEY("stress_concentration", "K_f", "1", DEFAULT("1"), WHIRL_FROM_TO(1.0, 100.0),
                                  "factor of the stress there, as of a keyway or a fillet"),

@@ -37,7 +37,7 @@ static const whirl_key keys[KEY_COUNT] = {
                           "Kahraman, Singh 1990"),
     [PRESSURE_ANGLE] =
         NUMBER_KEY("pressure_angle", "alpha", "rad", DEFAULT("0.3490658503988659"), WHIRL_FROM_TO(-1.5, 1.5),
-                   "angle between the line of action and what is square to the line of centres; below "
+                   "angle between the line of action and the perpendicular to the line of centres; below "
                    "0: the other flank carries; absent: 20 degrees"),
     [DIRECTION] = ANGLE_KEY("direction", "gamma", NULL, "direction of the line of centres, from the x axis towards y"),
     [HELIX] = NUMBER_KEY("helix", "beta_b", "rad", DEFAULT("0"), WHIRL_FROM_TO(-1.5, 1.5),

@@ -7,10 +7,10 @@
 //     k(psi) = k (1 + eps) where |psi - pi d| < pi d, else k (1 - eps), or a sum of cosines and sines of n psi;
 //
 // The switches are delta - b and delta + b if there is play; then, if the stiffness changes, cos(psi - pi d) - cos(pi
-// d). The latter is computed as a product, which rounding does not disturb at its zeros, since one of them is at the
-// beginning of a revolution. d[GEAR_TWIST] is the sum of both twists times their radii, of which the second is
-// negative. z1 and z2 are the shifts of both pitch points along the shafts, by the gears' tilts and by their axial
-// displacements; d[GEAR_TILT_X] + d[GEAR_TILT_Y] + d[GEAR_AXIAL] is n_z (z1 - z2).
+// d). The last one is computed as a product, so that rounding does not move its zeros, one of which is at the beginning
+// of a revolution. d[GEAR_TWIST] is the sum of both twists times their radii, of which the second is negative. z1 and
+// z2 are the shifts of both pitch points along the shafts, by the gears' tilts and by their axial displacements;
+// d[GEAR_TILT_X] + d[GEAR_TILT_Y] + d[GEAR_AXIAL] is n_z (z1 - z2).
 
 /// Returns delta by the displacements, without the error.
 static inline num KERNEL(along_action)(const kernel_view *view, const num *d) {

@@ -138,6 +138,6 @@ static bool gear_named_order(const element *own, size_t index, double *order, co
 /// Gears whose tilts and axial displacements close the teeth, too; with a mesh that varies.
 extern const element_type gear_helical, gear_helical_turning;
 
-/// Does for these what generic_tilts does for other gears.
+/// Fills in the conversions of forces and units for helical gears, as generic_tilts (generic.h) does for other gears.
 void gear_helical_scale(element *own, const assembly *to);
 #endif

@@ -241,7 +241,8 @@ static whirl_status check_tables(const key_value *values, assembly *to) {
     if (values[POLES].number != 2.0 * floor(0.5 * values[POLES].number))
         status = whirl_fail(WHIRL_BAD_INPUT, "has %g poles, expected an even number", values[POLES].number);
     if (status.code == WHIRL_OK && !frequencies->given && (values[POLES].given || values[FIT_ERROR].given))
-        status = whirl_fail(WHIRL_BAD_INPUT, "has %s and no frequencies, expected a table over these, of which it is",
+        status = whirl_fail(WHIRL_BAD_INPUT,
+                            "has %s and no frequencies, expected a table over frequencies, to which it applies",
                             values[POLES].given ? "poles" : "a fit_error");
     for (int key = KXX; key <= MYY; key++) varies = varies || values[key].count > 0;
     if (status.code == WHIRL_OK && !varies && (values[SPEEDS].given || frequencies->given))
@@ -363,14 +364,14 @@ static whirl_status check_error(const key_value *values, size_t pairs, double er
     if (error <= values[FIT_ERROR].number) return whirl_ok();
     return whirl_fail(
         WHIRL_BAD_INPUT,
-        "differs from its table by %.3g %% at %.4g rad/s as a rational function of %zu poles, as which "
-        "it acts in time, expected at most fit_error, %.3g %%: more poles, closer frequencies or a larger "
-        "fit_error",
+        "differs from its table by %.3g %% at %.4g rad/s with the rational function of %zu poles that "
+        "replaces the table in motions, expected at most fit_error, %.3g %%: more poles, closer frequencies or a "
+        "larger fit_error",
         100.0 * error, worst, 2 * pairs, 100.0 * values[FIT_ERROR].number);
 }
 
-/// Finds the function. Its poles are common to the whole table (at some of its speeds), so that the function is as
-/// smooth over the speed as the table. Its other numbers are those of the machine's own speed.
+/// Fits the rational function. All speeds of the table (or a selection of them) share its poles, so that the function
+/// is as smooth over the speed as the table. Its other numbers are fitted at the machine's own speed.
 static whirl_status find_function(const key_value *values, double speed, double inertia[3], rational_fit *fit) {
     rational_sample samples[(size_t)RATIONAL_MAX_SETS * RATIONAL_MAX_SAMPLES];
     const key_value *frequencies = &values[FREQUENCIES], *speeds = &values[SPEEDS];
@@ -444,7 +445,7 @@ static whirl_status bearing_build(const key_value *values, assembly *to, element
     if (status.code == WHIRL_OK) status = element_in_housing(&values[AT], &values[FROM], to, out);
     if (status.code != WHIRL_OK) return status;
     if (to->in_time && whirls(values)) return build_in_time(values, to, out);
-    // A frequency of the table is exact, since nothing is interpolated.
+    // No coefficient varies with the frequency. Use the first frequency of the table, at which nothing is interpolated.
     if (to->in_time && values[FREQUENCIES].given)
         status = look_up_all(values, to->speed, values[FREQUENCIES].list[0], &at);
     add_coefficients(values, &at, to, out);
@@ -456,7 +457,7 @@ static void bearing_doubt(const key_value *values, double speed, const doubt_tel
     if (values[WHIRL_RATIO].given && !values[FREQUENCIES].given)
         doubt_value(
             to, keys[WHIRL_RATIO].name,
-            "is %g: pads that tilt follow otherwise at other frequencies, so that modes, thresholds of "
+            "is %g: tilting pads respond differently at other frequencies, so that modes, thresholds of "
             "stability and motions with another frequency than %g times the speed are those of another bearing; "
             "whirl bearing --table --over-frequency writes coefficients for all, and tilting_pad has them",
             values[WHIRL_RATIO].number, values[WHIRL_RATIO].number);

@@ -20,9 +20,9 @@ enum { BLOCK_ORDER = 6, BLOCK_NUMBERS = 2 * BLOCK_ORDER + 1 };
 /// functions.
 enum { MAGNETIC_LINEAR = 1, MAGNETIC_FAILS = 2, MAGNETIC_ORDERS = 2, ORDER_BITS = 3 };
 
-/// Numbers of the law. The unit of currents, and of the clock x of bearings that fail (where it stands for 1 A), is the
-/// current that corresponds to a displacement of one length scale, so that distances of states do not depend on the
-/// length scale. It is i_0/s_0 for law quadratic, and k_s/k_i for law linear.
+/// Numbers of the law. The unit of currents is the current that corresponds to a displacement of one length scale, so
+/// that distances of states do not depend on the length scale. That current over displacement is i_0/s_0 for law
+/// quadratic, and k_s/k_i for law linear. The clock x of bearings that fail is stored in the same unit, as x times 1 A.
 ///
 /// The numbers are: k cos a divided by the square of the length scale; s_0 in length scales; i_0; i_max; k_i; k_s by
 /// length scales; 1 A; cosine and sine of the first axis; lambda; the value of x when currents begin to fall, and 1
@@ -119,12 +119,13 @@ static const whirl_key keys[KEY_COUNT] = {
                                    "force over displacement, which pulls away from the middle; with law linear"),
     [MAX_CURRENT] = NUMBER_KEY("max_current", "i_max", "A", OPTIONAL, WHIRL_POSITIVE,
                                "largest current of a coil; with law quadratic; absent: no limit"),
-    [PROPORTIONAL] =
-        NUMBER_KEY("proportional", "K_p", "A/m", DEFAULT("0"), WHIRL_ANY, "current over displacement, against it"),
-    [INTEGRAL] = NUMBER_KEY("integral", "K_i", "A/(m s)", DEFAULT("0"), WHIRL_ANY,
-                            "current over the integral of the displacement, which carries the weight in the middle"),
-    [DERIVATIVE] =
-        NUMBER_KEY("derivative", "K_d", "A s/m", DEFAULT("0"), WHIRL_ANY, "current over the velocity, against it"),
+    [PROPORTIONAL] = NUMBER_KEY("proportional", "K_p", "A/m", DEFAULT("0"), WHIRL_ANY,
+                                "current divided by the displacement, which it opposes"),
+    [INTEGRAL] =
+        NUMBER_KEY("integral", "K_i", "A/(m s)", DEFAULT("0"), WHIRL_ANY,
+                   "current divided by the integral of the displacement; it carries the weight without an offset"),
+    [DERIVATIVE] = NUMBER_KEY("derivative", "K_d", "A s/m", DEFAULT("0"), WHIRL_ANY,
+                              "current divided by the velocity, which it opposes"),
     [DERIVATIVE_FILTER] = NUMBER_KEY("derivative_filter", "T_f", "s", OPTIONAL, WHIRL_POSITIVE,
                                      "time constant of the derivative's filter, K_d s/(1 + s T_f)"),
     [NUMERATOR] = CITED_NUMBERS_KEY("numerator", "", "1", OPTIONAL, WHIRL_ANY,
@@ -408,7 +409,7 @@ static void magnetic_doubt(const key_value *values, double speed, const doubt_te
                     most);
 }
 
-/// Computes derivatives as element_type.paced: state j of a transfer function is a derivative of order j.
+/// Implements element_type.paced: state j of a transfer function is a derivative of order j.
 static void magnetic_paced(const element *own, const double *states, double *out) {
     size_t next = 0;
     for (size_t i = 0; i < own->states; i++) out[i] = 0.0;

@@ -250,7 +250,8 @@ static whirl_status set_dents(const key_value *values, const whirl_key *keys, do
 
 // ---------------------------------------------------------------- the element
 
-/// Returns the rounds of a state per revolution after which the forces repeat: balls without dents are equal.
+/// Returns the number of periods of the forces by a state in a revolution: balls without dents are equal, so that a
+/// turn of the cage has as many periods as there are balls.
 static double rounds_of(const element *own, size_t state) {
     const bool alike = state == 0 && !(own->law & ROLLING_BALL_DENT);
     return (alike ? own->law & ROLLING_COUNT : 1) * own->number[ROLLING_RATES + state];

@@ -14,8 +14,8 @@
 // from its middle: for a dent in a race, the ball's angle; for a dent in a ball, the angle of the contact with the
 // inner race, or with the outer one.
 //
-// The force has a continuous derivative, so that contacts need not be located. The angles from their start are states,
-// since they need not repeat after a revolution.
+// The force has a continuous derivative, so that contacts need not be located. The angles, minus their initial values,
+// are states, since they need not return after a revolution.
 
 #ifdef ROLLING_DENTED
 /// Returns the depth of dent `which` at the angle from its middle, whose cosine and sine are x and y.
