@@ -232,8 +232,8 @@ whirl_status whirl_result_figure(const whirl_result *result, const char *name, c
 whirl_status whirl_balance_json(const char *text, size_t length, const char *name, const char *units, char *problems,
                                 size_t size, char **json);
 
-/// Does the same with the figure of a second result drawn into it, dashed: a measured record over a model.
-/// WHIRL_BAD_INPUT also if both cannot lie in one picture.
+/// Does the same as whirl_result_figure, and draws the figure of a second result into it, dashed: a measured record
+/// over a model. WHIRL_BAD_INPUT also if both cannot lie in one picture.
 whirl_status whirl_result_figure_with(const whirl_result *result, const whirl_result *with, const char *name,
                                       const char *units, const char *panels, const char *log, char **json);
 

@@ -18,8 +18,8 @@
 extern "C" {
 #endif
 
-/// A parsed case. Only whirl_case_set, whirl_case_spend and whirl_case_refine change it; afterwards threads may share
-/// it.
+/// A parsed case. Only whirl_case_set, whirl_case_assign, whirl_case_spend and whirl_case_refine change it; afterwards
+/// threads may share it.
 typedef struct whirl_case whirl_case;
 
 /// Reads and checks the text of a case as whirl_case_parse does. Writes every problem to `problems`, one line each in

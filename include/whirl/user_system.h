@@ -82,9 +82,9 @@ whirl_status whirl_user_system_station(whirl_user_system *system, const char *na
 /// declaration back.
 whirl_status whirl_user_system_oscillates(whirl_user_system *system, size_t displacements);
 
-/// Sets a function of the slopes of one machine; of this call and the next function, the last call counts. `context` is
-/// passed to it. A run calls it once more at the start, and ends with WHIRL_BAD_INPUT if it changes x or p or leaves a
-/// slope unwritten, as a function with another signature does.
+/// Sets a function of the slopes of one machine. It replaces an earlier function of whirl_user_system_rates or
+/// whirl_user_system_lanes. `context` is passed to it. A run calls it once more at the start, and ends with
+/// WHIRL_BAD_INPUT if it changes x or p or leaves a slope unwritten, as a function with another signature does.
 whirl_status whirl_user_system_rates(whirl_user_system *system, whirl_user_rates_fn rates, void *context);
 
 /// Sets a function of the slopes of many machines; it also serves single machines, with a count of 1.
@@ -107,9 +107,9 @@ whirl_status whirl_user_system_speed(whirl_user_system *system, const char *para
 /// place.
 whirl_status whirl_user_system_kinked(whirl_user_system *system);
 
-/// Varies a parameter over values [count], which are copied. The first call makes a sweep, the second a map with its
-/// parameter from row to row, the third one with planes. WHIRL_BAD_INPUT for values that do not rise or fall
-/// throughout.
+/// Varies a parameter over values [count], which are copied. The first call makes a sweep; the second makes it a map,
+/// with the second parameter from row to row; the third makes it a map with planes. WHIRL_BAD_INPUT for values that do
+/// not rise or fall throughout.
 whirl_status whirl_user_system_vary(whirl_user_system *system, const char *parameter, const double *values,
                                     size_t count);
 
@@ -153,8 +153,8 @@ whirl_status whirl_user_system_curves(whirl_user_system *system, const char *par
 /// Returns a number that passes 0 where an event happens, in a state x [dimension] at time t.
 typedef double (*whirl_user_event_fn)(double t, const double *x, const double *p, void *context);
 
-/// Writes the state after an event, which begins as a copy of the one before, x. A result other than 0 reports a
-/// failure.
+/// Writes the state after an event to `after`, which begins as a copy of x, the state before it. A result other than 0
+/// reports a failure.
 typedef int (*whirl_user_reset_fn)(double t, const double *x, const double *p, double *after, void *context);
 
 /// Adds an event of motions over time: when `value` passes 0, rising (passing 1), falling (-1) or both ways (0).

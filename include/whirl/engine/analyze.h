@@ -29,7 +29,7 @@ extern "C" {
 typedef enum whirl_role {
     WHIRL_ROLE_POINT,      ///< one point at the case's own parameters: "response"
     WHIRL_ROLE_SURVEY,     ///< points along a parameter: "sweep"
-    WHIRL_ROLE_DETAIL,     ///< some of these, recorded longer: "detail"
+    WHIRL_ROLE_DETAIL,     ///< some points of a survey, recorded longer: "detail"
     WHIRL_ROLE_MAP,        ///< points over two or three parameters: "map"
     WHIRL_ROLE_BASIN,      ///< starts of one machine: "basin"
     WHIRL_ROLE_BRANCHES,   ///< orbits along a parameter: "branch"
@@ -79,7 +79,7 @@ typedef struct whirl_kind {
     const char *asked;  ///< the way a case asks for its analyses, a sentence
     const char *method; ///< the method of finding its points; NULL: integration, by the method of their options
     const char *place; ///< words for the state of points at rest: "about where the machine rests"; NULL for other kinds
-    const char *begins; ///< the start from which its points are followed; NULL: values of the parameter
+    const char *begins; ///< points at which its branches begin, in words; NULL: they begin at values of the parameter
     const char *remark; ///< remark that follows the name of `method` in texts, or ""
     /// True if its points are motions: with a start, a transient, a record and a verdict, and so with several starts,
     /// confirmation and refinement.
@@ -88,8 +88,8 @@ typedef struct whirl_kind {
     /// True if a run finds its points: their number, at most record.trace.points, and their parameter values are known
     /// at the end. Their options also include those of whirl_trace_members.
     bool found;
-    double cost; ///< approximate cost of a point in revolutions, 1 at rest; 0: those of its motion
-    bool still;  ///< also for machines at speed 0, which have no revolutions
+    double cost; ///< approximate cost of a point in revolutions, 1 at rest; 0: the revolutions of its motion
+    bool still;  ///< true if its machines may have speed 0, and so no revolutions
 } whirl_kind;
 
 // clang-format off
@@ -117,11 +117,11 @@ typedef struct whirl_kind {
 
 /// Description of an analysis.
 typedef struct whirl_analysis {
-    const char *name;       ///< as written in a case file: "poincare", "spectrum", ...
-    const char *meaning;    ///< one line
-    const char *source;     ///< author, year; "" if nothing is cited
-    bool usual;             ///< true if computed by default
-    bool kept;              ///< true if it is computed exactly when waveforms are stored (whirl_analysis_fit)
+    const char *name;    ///< as written in a case file: "poincare", "spectrum", ...
+    const char *meaning; ///< one line
+    const char *source;  ///< author, year; "" if nothing is cited
+    bool usual;          ///< true if computed by default
+    bool kept;           ///< true if it is computed whenever waveforms are stored, and only then (whirl_analysis_fit)
     const whirl_kind *kind; ///< kind of its points
 } whirl_analysis;
 
@@ -147,10 +147,12 @@ whirl_analysis_set whirl_analysis_usual(void);
 /// Returns the name of the analysis whose fields hold the verdict.
 const char *whirl_analysis_of_verdicts(void);
 
-/// Returns the name of the analysis of the ranges of laws, which every set for motions or machines at rest has.
+/// Returns the name of the analysis that compares results with the ranges of validity of the machine's laws
+/// (whirl_law_range). Every set for motions or machines at rest contains it.
 const char *whirl_analysis_of_ranges(void);
 
-/// Returns the set with all analyses of stored waveforms if some are stored, and without them if none are.
+/// Returns the set with the analyses that need stored waveforms (whirl_analysis.kept) added if the options store
+/// waveforms, and removed otherwise.
 whirl_analysis_set whirl_analysis_fit(whirl_analysis_set set, const whirl_record_options *options);
 
 /// Makes options record the inputs of the analyses: the waveform, the growth of perturbations. Other options stay.
@@ -185,9 +187,10 @@ const whirl_field *whirl_layout_field(const whirl_layout *layout, const char *na
 /// Writes the names of a field's columns, "x", "y"; false if they have none.
 bool whirl_field_column_names(const whirl_field *field, char names[WHIRL_MAX_COLUMNS][WHIRL_NAME_SIZE]);
 
-/// Ways of counting a displacement.
+/// Conventions for the size of a displacement.
 typedef enum whirl_counting {
-    WHIRL_FROM_CENTRE = 0, ///< a position, an extent, the size of a part: only one way
+    WHIRL_FROM_CENTRE = 0, ///< a position, an extent, or the size of a part: the choice between 0-p and p-p does not
+                           ///< apply
     WHIRL_ZERO_TO_PEAK,    ///< a distance from the centre: zero to peak for any `units`, as it is not sinusoidal
     WHIRL_AMPLITUDE        ///< amplitude of a sinusoid: stored zero to peak, shown as `units` require
 } whirl_counting;
@@ -196,7 +199,7 @@ typedef enum whirl_counting {
 /// columns whose name gives them. Static text, or the field's.
 const char *whirl_column_unit(const whirl_field *field, size_t column);
 
-/// Returns the way of counting the lengths of a field: its meaning says "0-p amplitude" for sinusoids, "0-p" for other
+/// Returns the convention for the lengths of a field: its meaning says "0-p amplitude" for sinusoids, "0-p" for other
 /// distances.
 whirl_counting whirl_field_counting(const whirl_field *field);
 
@@ -251,7 +254,7 @@ typedef struct whirl_saving {
     size_t saved_size; ///< bytes
     /// Returns true if the state is to be saved now; called after every turn of a run-up. NULL: it is never saved.
     bool (*due)(void *context);
-    /// Receives the state, which is of that many turns. A failure is not an error.
+    /// Receives the state after `turns` turns. If it cannot be saved, the computation goes on.
     void (*save)(void *context, double turns, const void *bytes, size_t size);
     void *context; ///< passed to both
 } whirl_saving;
@@ -289,7 +292,8 @@ typedef struct whirl_resting {
     double drive_speed;             ///< whirl_machine.drive_speed
     const whirl_run_course *course; ///< whirl_machine.course
     whirl_run_motion *motion;       ///< NULL, or receives the motion of a run-up at equal times; borrowed
-    const whirl_stop *stop;         ///< NULL, or becomes true when long work shall end; its numbers mean nothing then
+    const whirl_stop *stop;         ///< NULL, or a flag that becomes true when long work shall end; the numbers of the
+                                    ///< block are then meaningless
     size_t placed_count;            ///< number of placed unbalances
     const whirl_placed *placed;     ///< [placed_count] unbalances that replace its own
     const double *rest;             ///< [dimension] equilibrium found from the start; may be NULL without `elsewhere`
@@ -311,14 +315,15 @@ whirl_status whirl_analyze_resting(const whirl_resting *point, const whirl_recor
 
 /// Fills the blocks [count][layout->size] of points as whirl_analyze_resting does. statuses [count]: points with an
 /// error are left out, with a block of missing numbers; the others get their own. Run-ups are carried together, in
-/// vector lanes where these take their machines; no bit of a block depends on the other points. Of several points none
-/// is of a measured run. WHIRL_NO_MEMORY.
+/// vector lanes where these take their machines; no bit of a block depends on the other points. If there are several
+/// points, none may be a measured run. WHIRL_NO_MEMORY.
 whirl_status whirl_analyze_resting_together(size_t count, const whirl_resting *points,
                                             const whirl_record_options *options, whirl_analysis_set set,
                                             const whirl_layout *layout, double *const *blocks, whirl_status *statuses);
 
-/// Fills `block` [layout->size] for a machine without an equilibrium. `share` is whirl_equilibrium_share, or 1 if only
-/// another machine that the analyses need has none. All numbers but ranges/rest are missing.
+/// Fills `block` [layout->size] for a machine without an equilibrium. `share` is whirl_equilibrium_share. It is 1 if
+/// this machine has an equilibrium, but another machine that the analyses need has none. All numbers but ranges/rest
+/// are missing.
 void whirl_unfound_at_rest(const whirl_layout *layout, double share, double *block);
 
 /// A point of a branch within a study.
@@ -326,7 +331,7 @@ typedef struct whirl_trace {
     const whirl_system *system; ///< its machine
     whirl_branch_point point;   ///< the orbit there, and its kind
     size_t branch;              ///< number of its branch, from 1 in the order in which they were found
-    /// Number of the branch from which that one begins; 0: it begins at a settled motion or an equilibrium.
+    /// Number of the branch from which this branch begins; 0: it begins at a settled motion or an equilibrium.
     size_t parent;
     double end; ///< whirl_branch_end at the last point of the branch, else NaN
 } whirl_trace;
@@ -336,8 +341,8 @@ typedef struct whirl_trace {
 whirl_status whirl_analyze_trace(const whirl_trace *trace, const whirl_record_options *options,
                                  const whirl_layout *layout, double *block);
 
-/// Reads the point of a block at a parameter value, without bounds and system: *trace, whose orbit is freed by
-/// whirl_orbit_free. WHIRL_BAD_INPUT if it holds none, WHIRL_NO_MEMORY.
+/// Reads the point that a block holds at a parameter value into *trace, except the system and the orbit's bounds low
+/// and high. The orbit is freed by whirl_orbit_free. WHIRL_BAD_INPUT if the block holds no point, WHIRL_NO_MEMORY.
 whirl_status whirl_block_trace(const whirl_layout *layout, const double *block, double value,
                                const whirl_record_options *options, whirl_trace *trace);
 

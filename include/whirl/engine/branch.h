@@ -69,7 +69,8 @@ typedef struct whirl_branch {
 typedef struct whirl_branch_options {
     whirl_orbit_options orbit; ///< options of finding its orbits
     double from, to;           ///< bounds of the parameter
-    double step; ///< first step, in the branch's own length: 1 is to - from, or a change of the orbit by its own size
+    double step; ///< first step along the branch. A length of 1 is a change of the parameter by to - from, or of the
+                 ///< orbit by its own size
     double least_step;  ///< shortest step
     double most_step;   ///< longest step
     size_t most_points; ///< most points of the branch

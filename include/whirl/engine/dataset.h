@@ -85,8 +85,8 @@ typedef struct whirl_record_of {
     double severity;   ///< above 0, below 1; NaN if the label has none
     whirl_split split; ///< set of its machine
     uint64_t seed;     ///< seed of its noise and jitter; below 2^53
-    double begin;      ///< revolutions from the end of the lead to its first sample, below 1; of a run the angle of the
-                       ///< shaft at its first sample
+    double begin;      ///< revolutions from the end of the lead to the first sample, below 1; for a run, the angle of
+                       ///< the shaft at the first sample, in revolutions
 } whirl_record_of;
 
 /// Returns the machine, label, severity and condition of a record, by its index among those that are made, and writes

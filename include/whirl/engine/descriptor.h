@@ -19,7 +19,8 @@ typedef enum whirl_key_kind {
     WHIRL_KEY_CHOICE,     ///< one of the words in `choices`
     WHIRL_KEY_STATION,    ///< the name of a station
     WHIRL_KEY_STATIONS,   ///< two stations, "a, b"; one may be "ground" if the meaning says so
-    WHIRL_KEY_NUMBERS,    ///< a number as above, a list of up to WHIRL_MAX_LIST, or as many lists of equal length
+    WHIRL_KEY_NUMBERS,    ///< a number as above, a list of up to WHIRL_MAX_LIST numbers, or up to that many lists of
+                          ///< equal length
     WHIRL_KEY_NAME        ///< a name of the kind in `choices`: "shafts" or "materials"
 } whirl_key_kind;
 
@@ -83,10 +84,10 @@ typedef struct whirl_member {
     whirl_member_type type; ///< type of the member
     size_t offset;          ///< in the struct
     const char *part;       ///< the group of a case file that has its key; "" if cases cannot set it
-    /// Always has unit, range and meaning. "yes", "true" and its own name set a flag. Without a default, a case that
-    /// does not have the key leaves the member unchanged.
+    /// The key in cases; unit, range and meaning are always given. In a case, "yes", "true" and the key's own name set
+    /// a flag. If the key has no default, a case without it leaves the member unchanged.
     whirl_key key;
-    bool refined; ///< true if an advice may change it (whirl_advice_apply); results of refined points then contain it
+    bool refined; ///< true if whirl_advice_apply may change the member; results of refined points then contain it
 } whirl_member;
 
 /// A group of keys: an element, the station, a part of the study.

@@ -64,9 +64,10 @@ whirl_status whirl_ensemble_flow(const whirl_system *system, const whirl_integra
 /// clears the state of its motion. The default is the whole period.
 void whirl_ensemble_part(whirl_ensemble *ensemble, size_t lane, double from, double length);
 
-/// Carries perturbations with a lane in the next revolution, as whirl_integrator_carry does; for ensembles of the last
-/// three kinds. whirl_ensemble_variational: all perturbations, and growth for all lanes or for none;
-/// whirl_ensemble_flow: as many as were allocated, without growth. They belong to the caller.
+/// Carries perturbations with a lane in the next revolution, as whirl_integrator_carry does. The ensemble must be of
+/// whirl_ensemble_alone, whirl_ensemble_variational (all perturbations, with growth in all lanes or in none) or
+/// whirl_ensemble_flow (as many perturbations as were allocated, without growth). The perturbations belong to the
+/// caller.
 void whirl_ensemble_carry(whirl_ensemble *ensemble, size_t lane, whirl_perturbations *perturbations);
 
 /// Returns the number of lanes: the number asked for, rounded up to whole vectors.

@@ -14,7 +14,7 @@
 extern "C" {
 #endif
 
-/// Ways of drawing a series. NaN breaks lines and areas, and is skipped in all others.
+/// Ways of drawing a series. A point with NaN breaks lines and areas; other shapes skip it.
 typedef enum whirl_shape {
     WHIRL_DOTS,  ///< marks at x, y
     WHIRL_LINE,  ///< from point to point
@@ -85,9 +85,9 @@ typedef struct whirl_spot {
 typedef struct whirl_panel {
     char name[WHIRL_NAME_SIZE];      ///< name within the figure: "x", "exponent"
     char title[2 * WHIRL_NAME_SIZE]; ///< title above it, or ""
-    char letter;                     ///< its "(a)", or 0
+    char letter;                     ///< the letter of its label "(a)", or 0
     double left, right, bottom, top; ///< edges, as shares of the figure's width and height
-    double width, height;            ///< share of the figure's width with labels; cm
+    double width, height;            ///< share of the figure's width, labels included; height of the axes in cm
     whirl_axis x, y;                 ///< its axes
     bool equal;                      ///< both axes have one scale
     bool keyed;                      ///< the legend is inside the panel, else above the figure

@@ -34,12 +34,12 @@ typedef struct whirl_fit_options {
     char loss[WHIRL_NAME_SIZE];   ///< "squares", or "huber": squares up to huber standard deviations, then linear
     double huber;                 ///< limit of "huber", in standard deviations
     int most_steps;               ///< most evaluations of all motions
-    double tolerance;             ///< largest change of parameters in the last step, as part of them
+    double tolerance;             ///< relative change of the unknowns in a step below which the fit ends
     double rtol;                  ///< relative tolerance of the orbits' integration
     char method[WHIRL_NAME_SIZE]; ///< dop853 or rodas5p
     bool profile;                 ///< find profile intervals, too
     int record;                   ///< revolutions of the records of which statistics are taken
-    double difference;            ///< part of the unknowns over which statistics are differenced
+    double difference;            ///< relative change of an unknown for finite differences of statistics
     int unknowns;                 ///< number of unknown parameters
     int motions;                  ///< number of motions
     int numbers;                  ///< number of measured numbers
@@ -92,7 +92,8 @@ typedef struct whirl_fit_number {
     double noise; ///< SI, standard deviation; 1 if it is not given
 } whirl_fit_number;
 
-/// A motion, or what is computed for one number: an onset, a critical speed, or a mode.
+/// A computation whose results are compared with measured numbers: a motion, or for a single number an onset, a
+/// critical speed, or a mode.
 typedef struct whirl_fit_motion {
     size_t given_count;              ///< number of parameters with values of their own
     const struct whirl_given *given; ///< [given_count] parameters with values of their own; borrowed
@@ -100,7 +101,7 @@ typedef struct whirl_fit_motion {
     size_t instants;                 ///< instants of a revolution at which displacements are needed
     const char *along; ///< for onsets and critical speeds: parameter that varies; NULL: the speed; borrowed
     bool statistics;   ///< its numbers are statistics of a record in time, not of a periodic orbit
-    double from, to;   ///< for these: values between which they are sought first, SI
+    double from, to;   ///< for onsets and critical speeds: bounds of the first search, SI
     int whirl;         ///< for critical speeds and modes: 1 forward, -1 backward, 0 any
     size_t mode; ///< for modes: number at the start, from 1, by rising frequency; 0: the one nearest to the number
 } whirl_fit_motion;

@@ -49,8 +49,9 @@ typedef struct whirl_method {
     const char *meaning; ///< one line
     bool adaptive;       ///< true if it uses rtol and atol, and finds the zeros of the switching functions
     bool follows;        ///< true if it carries perturbations (whirl_integrator_follow), up to the dimension
-    /// True if it carries one perturbation, and must: its steps and orders change so abruptly that a second trajectory
-    /// would differ by them more than by the perturbation.
+    /// True if it carries a single perturbation by the variational equations. A second trajectory cannot replace them:
+    /// the method's steps and orders change so abruptly that two trajectories differ more by these than by the
+    /// perturbation.
     bool follows_one;
 } whirl_method;
 

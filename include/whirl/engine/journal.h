@@ -61,8 +61,8 @@ whirl_status whirl_journal_take(whirl_journal *journal, const char *path);
 /// Returns true if a run is writing the journal of that name.
 bool whirl_journal_in_use(const char *path);
 
-/// Returns true if the file of that name is a journal without any point or state of one, of a run that failed or was
-/// killed before it had any, and that no run is writing.
+/// Returns true if the file of that name is an empty journal: no run is writing it, and it holds neither finished
+/// points nor states of unfinished ones. Runs that failed or were killed early leave such a file.
 bool whirl_journal_vacant(const char *path);
 
 /// Removes a journal whose points another one has taken. WHIRL_BAD_INPUT if a run is writing it.

@@ -85,10 +85,10 @@ typedef struct whirl_whirling {
 } whirl_whirling;
 
 /// Computes the modes of a machine. If its coefficients depend on the frequency of whirl (whirl_system.frequencies),
-/// each mode has its own damped frequency as that frequency, to 1e-12 of it, within the range of the frequencies; real
-/// eigenvalues belong to frequency 0, and are left out if the coefficients are not known there. growth is NaN if there
-/// are neither modes nor real eigenvalues. `others` makes the machines at other frequencies. Errors as whirl_modes_new
-/// and those of machines.
+/// each mode is computed with the coefficients at its own damped frequency (to a relative 1e-12), within the range of
+/// the frequencies. Real eigenvalues belong to frequency 0, and are left out if the coefficients are not known there.
+/// growth is NaN if there are neither modes nor real eigenvalues. `others` makes the machines at other frequencies.
+/// Errors as whirl_modes_new and those of machines.
 whirl_status whirl_modes_of(const whirl_machine *machine, const whirl_whirling *others, whirl_modes **modes);
 
 /// The largest modulus of the sensitivity functions of a system's control loops (ISO 14839-3) about an equilibrium,

@@ -48,7 +48,7 @@ typedef struct whirl_trace_options {
     double torus_accuracy; ///< whirl_torus_options.accuracy
 } whirl_trace_options;
 
-/// Returns the most nodes of a torus' curve: the option, made odd.
+/// Returns the most nodes of a torus' curve: the option torus_nodes, raised to the next odd number if it is even.
 size_t whirl_trace_torus_nodes(const whirl_trace_options *options);
 
 /// Returns the members of the options for cases (part "branch") and results of branches; static, ended by a member
@@ -58,10 +58,11 @@ const whirl_member *whirl_trace_members(void);
 /// The 1X of a station at a speed is slow roll if it changes by at most this share of its largest in the run, within
 /// WHIRL_SLOW_ROLL_RANGE of the speed.
 #define WHIRL_MAX_SLOW_ROLL_CHANGE 0.05
-/// The range of speeds for that, a share of the speed to both sides.
+/// Half-width of the range of speeds in which the change of slow roll is measured, as a share of the speed.
 #define WHIRL_SLOW_ROLL_RANGE 0.1
 
-/// Waveforms of a run: around the largest motion (of a contact, the largest force), and around its first events.
+/// Number of waveforms that a run stores: one around the largest motion (for a contact, the largest force), and one
+/// around each of its first four events.
 enum { WHIRL_RUNUP_WAVEFORMS = 5 };
 
 /// Options of a run-up or coast-down.
@@ -79,13 +80,14 @@ typedef struct whirl_runup_options {
     double change_time, change_speed;                      ///< time (s) and speed (rad/s) of the change; 0: does not
                                                            ///< depend on it
     char events[WHIRL_NAME_SIZE];                          ///< number of further events as text, or ""
-    int event_count;                  ///< number of events of the course (whirl_run_course), with that change
-    char speeds[WHIRL_NAME_SIZE];     ///< text of the speed over the time, or ""
-    char rate_law[WHIRL_NAME_SIZE];   ///< formula of the rate, or ""
-    char torque_law[WHIRL_NAME_SIZE]; ///< formula of the motor's torque, or ""
-    char load_law[WHIRL_NAME_SIZE];   ///< formula of the load, or ""
+    int event_count; ///< number of events of the course (whirl_run_course), including the change of parameters
+    char speeds[WHIRL_NAME_SIZE];                              ///< text of the speed over the time, or ""
+    char rate_law[WHIRL_NAME_SIZE];                            ///< formula of the rate, or ""
+    char torque_law[WHIRL_NAME_SIZE];                          ///< formula of the motor's torque, or ""
+    char load_law[WHIRL_NAME_SIZE];                            ///< formula of the load, or ""
     char ground_x[WHIRL_NAME_SIZE], ground_y[WHIRL_NAME_SIZE]; ///< formulas of the ground's acceleration, or ""
-    char sensitivity[WHIRL_NAME_SIZE]; ///< "contacts", "yes" or "no": in which machines a copy is followed
+    char sensitivity[WHIRL_NAME_SIZE]; ///< "yes", "no", or "contacts" (only in machines with contacts): a perturbed
+                                       ///< copy of the run is followed
     bool drag;                         ///< true if films and seals brake a shaft that a drive turns
     int stationary;                    ///< speeds at which the torques of a drive are balanced; 0: none
     int rows;                          ///< number of rows of the result over the time
@@ -149,11 +151,12 @@ typedef struct whirl_record_options {
     int samples_per_revolution;
     double highest_order; ///< spectra are kept up to this order of the running speed
     bool bearings; ///< for critical speed maps: the parameter is the stiffness of springs that replace bearings, N/m
-    /// End the transient, but for 64 revolutions, when the motion has settled on a periodic orbit to 1e-11.
+    /// When the motion has settled on a periodic orbit to 1e-11, skip the rest of the transient except its last 64
+    /// revolutions.
     bool settle;
-    int modes;                        ///< number of modes in results, >= 1
-    int orders;                       ///< orders of the speed that excite torsion, from 1 on
-    double line_frequency;            ///< frequency of the line, Hz, which excites torsion, and twice it; 0: none
+    int modes;             ///< number of modes in results, >= 1
+    int orders;            ///< highest order of the speed that excites torsion; all orders from 1 on do; 0: none
+    double line_frequency; ///< mains frequency, Hz, which excites torsion, as does twice of it; 0: none
     double running_low, running_high; ///< range of running speed, rad/s; 0: not given
     double trip;                      ///< speed, rad/s, up to which clearances are checked; 0: all speeds
     double probe_angle;               ///< angle of the first probe of every station, rad from the x axis towards y
@@ -162,14 +165,16 @@ typedef struct whirl_record_options {
     char probes_at[WHIRL_NAME_SIZE];  ///< stations whose probes scale responses, or ""
     double placed_weight;             ///< mass for the rule of this unbalance, kg; 0: the overhanging mass there
     double placed_factor;             ///< factor of unbalances by rule
-    char coupling[WHIRL_NAME_SIZE];   ///< statics: stations without moment and shear, or ""
+    char coupling[WHIRL_NAME_SIZE];   ///< statics: stations at which bearings are raised until moment and shear vanish,
+                                      ///< or ""
     double gas_density;               ///< stability, kg/m3: mean density of the gas; 0: not given
     bool spectra;                     ///< store whole spectra, not only their peaks
     bool waveform;                    ///< record waveforms (for spectra, or to be stored)
     /// Search for the orbits of settled motions by Newton's method. With `settle`, also search before they have
     /// settled, and end the transient when the motion is certain to settle on one.
     bool orbits;
-    whirl_growth growth;           ///< costs one trajectory while watched, or as many as there are coordinates
+    whirl_growth growth;           ///< perturbations that are followed; each costs one more trajectory while the motion
+                                   ///< is watched
     whirl_trace_options trace;     ///< for branches only
     whirl_runup_options runup;     ///< options of run-ups
     whirl_fit_options fit;         ///< options of fits
@@ -198,8 +203,9 @@ whirl_status whirl_record_options_check(const whirl_record_options *options);
 whirl_status whirl_record_check(const whirl_system *system, const whirl_integrate_options *integrate,
                                 const whirl_record_options *options);
 
-/// Accuracy of the steps for a motion. Fixed steps are checked by the equations, methods with a tolerance by the
-/// motion's size over the absolute tolerance (growth is NaN, and error where the tolerance is fine).
+/// Accuracy of the steps for a motion. For fixed steps it comes from the equations. For methods with a tolerance it
+/// comes from the motion's size over the absolute tolerance: growth is NaN, and error is NaN if the tolerance is fine
+/// enough.
 typedef struct whirl_step_quality {
     double growth; ///< whirl_step_check.growth of the checked revolutions: above 1 the step is unstable
     double error;  ///< error of a revolution by the steps, over the size of the motion
@@ -234,7 +240,8 @@ typedef struct whirl_record_orbit {
 
 /// The equilibrium at which a motion rests.
 typedef struct whirl_record_rest {
-    /// True if the motion stays within 1e-5 of the state's size of it; else the other members are meaningless.
+    /// True if the motion stays at the equilibrium to within 1e-5 of the state's size; else the other members are
+    /// meaningless.
     bool found;
     /// Largest distance of the record from it, over the state's size: its largest coordinate, or the resolution of the
     /// steps over 1e-5.
@@ -304,9 +311,9 @@ void whirl_record_free(whirl_record *record);
 
 /// Records a motion along an orbit, stable or not, from its first node on; each segment is followed from its own node.
 /// The record has the revolutions of the options and no transient; perturbations are not followed and orbits not
-/// searched. If the orbit has a time of its own, cubics join its instants to give states at the ends of revolutions.
-/// Bounds and observed quantities are those of one period of the orbit. Uses the orbit's dimension, revolutions, period
-/// and nodes. Errors as whirl_orbit_observe and whirl_record_motion.
+/// searched. If the orbit has a period of its own, states at the ends of revolutions are interpolated by cubics between
+/// its instants. Bounds and observed quantities are those of one period of the orbit. Uses the orbit's dimension,
+/// revolutions, period and nodes. Errors as whirl_orbit_observe and whirl_record_motion.
 whirl_status whirl_record_along(const whirl_system *system, const whirl_orbit *orbit,
                                 const whirl_orbit_options *options, const whirl_record_options *wanted,
                                 whirl_record **record);
@@ -345,7 +352,7 @@ typedef struct whirl_recorder whirl_recorder;
 whirl_status whirl_recorder_new(const whirl_system *system, const whirl_integrate_options *integrate,
                                 const whirl_record_options *options, size_t lanes, whirl_recorder **recorder);
 
-/// Begins a revolution: motions go on that waited for a free lane, or for the search for the orbit near them.
+/// Begins a revolution: resumes motions that waited for a free lane, or for the search for the orbit near them.
 whirl_status whirl_recorder_begin(whirl_recorder *recorder);
 
 /// Returns true if the recorder takes a further motion into this revolution.

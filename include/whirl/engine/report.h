@@ -49,8 +49,8 @@ whirl_status whirl_explorer_write(const char *template_path, const whirl_result 
 /// verdicts of a long one, special points of branches and modes. WHIRL_NO_MEMORY if memory is exhausted before its end.
 whirl_status whirl_result_write_summary(const whirl_result *result, FILE *stream);
 
-/// Writes the summary's line for a table whose steps do not meet its end (the fact "sweep ends at"), or nothing;
-/// `first` is the first value of the table.
+/// Writes the summary's line for a table whose last value falls short of the requested end (the fact "sweep ends at"),
+/// or nothing; `first` is the first value of the table.
 void whirl_result_write_end(const whirl_result *result, const char *table, const char *parameter, double first,
                             FILE *stream);
 

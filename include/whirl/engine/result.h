@@ -73,9 +73,10 @@ struct whirl_table {
     int clock_of;
     double clock_factor; ///< 1 if nothing varies
     int *branch;         ///< [count] +1 carried from the first value on, -1 carried from the last, 0 not carried
-    /// [count][layout.size], NaN for points that are not done; NULL in an outline, and if the blocks are in `kept`.
+    /// [count][layout.size], NaN for points that are not done; NULL in an outline, and if the blocks are in
+    /// `journal_blocks`.
     double *blocks;
-    whirl_journal_blocks *journal_blocks; ///< NULL, or the blocks
+    whirl_journal_blocks *journal_blocks; ///< NULL, or the blocks, which the run left with its store
     /// [count] 1 for points that are done, 0 for points that a stopped run did not reach; NULL: all are done.
     unsigned char *done;
     whirl_layout layout;               ///< layout of a block
@@ -129,8 +130,8 @@ struct whirl_result {
     bool partial;                      ///< the run was stopped: points are missing, or not all are confirmed or refined
 };
 
-/// Returns the block [layout.size] of a point; NULL in an outline, and for a kept block that is lost. Borrowed; for a
-/// table with kept blocks only until the next call, by one thread at a time.
+/// Returns the block [layout.size] of a point; NULL in an outline, and for a block of journal_blocks that is lost.
+/// Borrowed; with journal_blocks only until the next call, by one thread at a time.
 const double *whirl_table_block(const whirl_table *table, size_t point);
 
 /// Returns the numbers [rows][columns] of a field for a point and a station or contact (0 for fields of the point);

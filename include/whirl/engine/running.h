@@ -5,10 +5,10 @@
 ///     J theta'' = T - sum U_i g cos(theta + a_i) + sum u_i . q'',   u_i = U_i (sin(theta + a_i), -cos(theta + a_i)),
 ///
 /// with T the torque of the drive less its load, the friction of contacts and the drag of films and seals, and
-/// unbalances U_i at angles a_i. One that turns at a ratio n of the speed has n theta, and n u in both sums. Their
-/// force is U_i theta'^2 (cos, sin)(theta + a_i) + u_i theta''. Where a torque turns a disc through its shaft it
-/// follows the disc's axis, and polar inertia adds no moment with theta'' (docs/theory.md). Coefficients of films,
-/// bearings and seals are those of the speed of the moment.
+/// unbalances U_i at angles a_i. An unbalance that turns at n times the speed has n theta in place of theta, and n u_i
+/// in both sums. The force of an unbalance is U_i theta'^2 (cos, sin)(theta + a_i) + u_i theta''. Where a torque turns
+/// a disc through its shaft it follows the disc's axis, and polar inertia adds no moment with theta'' (docs/theory.md).
+/// Coefficients of films, bearings and seals are those of the speed of the moment.
 ///
 /// The independent variable of the equations is the angle, d/dtheta in place of d/dt, 2 pi for one revolution. For a
 /// machine that begins at rest, or hardly turns, it is the time.
@@ -30,9 +30,9 @@ enum { WHIRL_MAX_EVENTS = 16, WHIRL_MAX_SPEEDS = 256, WHIRL_NO_EVENT = WHIRL_MAX
 
 /// An event of a run: it happens once, as soon as one of its conditions holds.
 typedef struct whirl_run_event {
-    double time;       ///< s, since the event `after`, or since the beginning of the run; NaN: not by the time
-    double speed;      ///< rad/s, when it is passed; NaN: not by the speed
-    int passing;       ///< 1: by a rising speed, -1: by a falling one, 0: by both
+    double time;       ///< s, since the event `after`, or since the beginning of the run; NaN: the time is no condition
+    double speed;      ///< rad/s, that the shaft passes; NaN: the speed is no condition
+    int passing;       ///< 1: passed by a rising speed, -1: by a falling speed, 0: by either
     bool when;         ///< true if it happens when its formula is not below 0
     size_t after;      ///< the event that must have happened before; WHIRL_NO_EVENT: none
     bool trip;         ///< the motor trips
@@ -73,7 +73,8 @@ typedef struct whirl_run_course {
     size_t event_count;                                             ///< number of events
     whirl_run_event events[WHIRL_MAX_EVENTS];                       ///< [event_count]
     size_t speed_count;                                             ///< rows of the speed table; 0: none
-    double speed_times[WHIRL_MAX_SPEEDS], speeds[WHIRL_MAX_SPEEDS]; ///< s, rising from 0, and rad/s; straight between
+    double speed_times[WHIRL_MAX_SPEEDS], speeds[WHIRL_MAX_SPEEDS]; ///< s, rising from 0, and rad/s; linear between
+                                                                    ///< rows
     bool has[WHIRL_FORMULAS];                                       ///< formulas that are given
     double length;                                                  ///< m of one unit of displacement
     double *variables; ///< [WHIRL_VARIABLE_STATIONS + WHIRL_OF_STATION * stations] that formulas read
@@ -142,8 +143,8 @@ struct whirl_running {
     /// Sets unbalances [count] that appear once whirl_turning.lost is true.
     void (*lose)(whirl_running *running, size_t count, const whirl_placed *placed);
 
-    /// Lets the next revolution of both systems begin at that angle (or time) and be that long, in radians (or units of
-    /// time).
+    /// Lets the next revolution of both systems begin at the angle (or time) `from` and have this length, in radians
+    /// (or units of time).
     void (*part)(whirl_running *running, double from, double length);
 
     /// Takes over a state of the machine `from` before its change (whirl_running_check_change), by the angle or by

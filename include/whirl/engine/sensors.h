@@ -76,10 +76,11 @@ typedef struct whirl_sampling {
     double clock;   ///< rad/s, rate of the system's time (whirl_machine.clock)
 } whirl_sampling;
 
-/// Samples the motion of a run, whose speed changes, likewise: sample k is that of the instant `first` + k `ratio` of
-/// the motion; sampling->rate is the inverse of `ratio` times its step, sampling->from and sampling->clock are not
-/// used. The motion must be complete and reach WHIRL_SENSOR_REACH samples beyond the first and the last one. Pulses of
-/// a keyphasor begin at the angle 0 of the shaft, and are counted from there. WHIRL_BAD_INPUT, WHIRL_NO_MEMORY.
+/// Samples the motion of a run, whose speed changes, as whirl_channels_sample samples a record. Sample k is taken at
+/// the instant `first` + k `ratio` of the motion. sampling->rate must be 1/(`ratio` times motion->step); sampling->from
+/// and sampling->clock are not used. The motion must be complete and reach WHIRL_SENSOR_REACH samples beyond the first
+/// and the last one. Pulses of a keyphasor begin at the angle 0 of the shaft, and are counted from there.
+/// WHIRL_BAD_INPUT, WHIRL_NO_MEMORY.
 whirl_status whirl_channels_sample_run(const whirl_run_motion *motion, const whirl_probe *probes, size_t first,
                                        size_t ratio, const whirl_channel *channels, size_t count,
                                        const whirl_sampling *sampling, float *out);

@@ -46,7 +46,8 @@ enum { WHIRL_MAX_GIVEN = 16 };
 /// the tori that begin at Neimark-Sacker points of the batch named "branch".
 ///
 /// A batch of a map has a second parameter with a value at every point, stored row by row; with a third parameter it is
-/// a stack of such maps, stored plane by plane.
+/// a stack of such maps, stored plane by plane. A batch is also the request for a machine: whirl_study.machine receives
+/// a copy of it whose members marked "requested machine" select one machine.
 typedef struct whirl_batch {
     char name[WHIRL_NAME_SIZE];      ///< name of its table in results
     whirl_role role;                 ///< role of its points in the study
@@ -80,8 +81,8 @@ typedef struct whirl_batch {
     /// Maximum number of rounds of starts from neighbours (along a sweep; along all axes of a map), in addition to
     /// several starts; 0: none. Each parameter value starts once from the end of a motion on every attractor of a
     /// neighbour that none of its own motions reached and from which it has not started, up to
-    /// WHIRL_MAX_NEIGHBOUR_STARTS in all. The rounds end when no value lacks one. These points follow all others in the
-    /// table, and count in no share.
+    /// WHIRL_MAX_NEIGHBOUR_STARTS in all. The rounds end when no value has such a start left. These points follow all
+    /// others in the table, and count in no share.
     size_t neighbours;
     /// A study of tolerances: `count` is the number of points of all machines of all samples, `row` points for each
     /// machine; 0 samples: no such study.
@@ -155,17 +156,17 @@ typedef struct whirl_study {
     const void *family; ///< borrowed
 } whirl_study;
 
-/// A share of a study for one of several runs that compute it together. Points are dealt one by one, except that each
-/// direction of a carried sweep and each 8 neighbours at rest but run-ups stay together, and all branches belong to the
-/// first share. Of a refined map first squares are dealt; points on an edge between two belong to both shares, with the
-/// same bits.
+/// A share of a study for one of several runs that compute it together. Points are dealt one by one, with these
+/// exceptions: each direction of a carried sweep stays together, as do eight neighbouring points at rest (except
+/// run-ups), and all branches belong to the first share. A refined map is dealt by its first squares; points on an edge
+/// between two squares belong to both shares, with the same bits.
 typedef struct whirl_share {
     size_t number; ///< number of the share, 1 to count
     size_t count;  ///< number of shares; 0: not shared
 } whirl_share;
 
-/// Returns true if a point, given by a store's batch and slot, belongs to a share, or may do so in a refined map; also
-/// for all points if there are no shares.
+/// Returns true if a point, given by a store's batch and slot, belongs to a share (in a refined map: may belong to it).
+/// True for all points if there are no shares.
 bool whirl_share_has(const whirl_study *study, const whirl_share *share, size_t batch, size_t slot);
 
 /// Stages of a run. Each has points of its own.
@@ -226,7 +227,7 @@ struct whirl_point_store {
 typedef struct whirl_dealer {
     int threads; ///< threads of all runs together
     /// Returns true if a point, given by a store's batch and slot, is to be computed by one of the runs: false if it
-    /// was stored before they began. The same in all runs, at any time.
+    /// was stored before they began. The answer is the same in all runs, at any time.
     bool (*open)(void *context, size_t batch, size_t slot);
     /// Claims the next of the `count` pieces of a pass, given by a store's batch. Returns their number, from *first
     /// on; 0: none are left.

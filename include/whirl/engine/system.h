@@ -93,7 +93,7 @@ typedef struct whirl_extremes {
 typedef struct whirl_law_range {
     char part[2 * WHIRL_NAME_SIZE]; ///< "film at journal"
     const char *quantity, *unit;    ///< "eccentricity ratio", "1"
-    const char *limit;              ///< printed after that end: "to which its coefficients were found"
+    const char *limit;              ///< words printed after `most`: "to which its coefficients were found"
     double most;                    ///< upper end of the range
     double reached;                 ///< the largest value reached; NaN if the extremes do not determine it
     size_t probe;                   ///< probe of the part
@@ -244,7 +244,8 @@ typedef struct whirl_system {
     /// place of twists: 1 for an axial mode.
     double (*axial)(const void *model, const double *v, double *shape);
 
-    size_t torque_count; ///< torques that run-ups by the machine's own torques record (whirl_running.watch)
+    size_t torque_count; ///< number of torques that are recorded in run-ups in which a drive turns the shaft
+                         ///< (whirl_running.watch)
 
     /// Optional, for machines with stations that twist: what excites them and what carries torque; borrowed.
     const whirl_torsion *torsion;

@@ -81,9 +81,9 @@ typedef struct whirl_torsion {
     bool (*curve)(const void *model, size_t path, whirl_torque_curve *out);
 
     /// Finds the amplitude of the torque in a path, N m, in the motion rest + Re(v exp(i w t)), v [dimension][2], that
-    /// an excitation drives: torque [2] real and imaginary part, NaN where it is not known; power: W, which its damping
-    /// takes on average. index = excitation_count: v is the displacement by steady torques, and the steady torque of
-    /// the rest counts, too.
+    /// an excitation drives: torque [2] real and imaginary part, NaN where it is not known; power: W, the mean power
+    /// that the path's damping dissipates. index = excitation_count: v is the displacement by steady torques, and the
+    /// torque includes the steady torque at `rest`.
     void (*carry)(const void *model, size_t path, size_t index, const double *rest, const double *v, double torque[2],
                   double *power);
 

@@ -17,7 +17,8 @@ extern "C" {
 typedef struct whirl_torus_branch_options {
     whirl_torus_options torus; ///< options of finding each
     double from, to;           ///< bounds of the parameter
-    double step; ///< first step, in the branch's own length: 1 is to - from, or a change of the curve by its own size
+    double step; ///< first step along the branch. A length of 1 is a change of the parameter by to - from, or of the
+                 ///< curve by its own size
     double least_step, most_step; ///< shortest and longest step
     size_t most_points;           ///< most points of the branch
     /// Receives every torus as it is found, which the branch owns; false ends the branch with that torus. May be NULL.

@@ -100,7 +100,8 @@ typedef struct whirl_verdict {
     double step_growth; ///< whirl_step_quality.growth; NaN for methods with a tolerance
     double step_error;  ///< whirl_step_quality.error
     double revolutions; ///< revolutions integrated
-    double swelling;    ///< growth rate of the section between halves of the watched revolutions, per revolution
+    double swelling;    ///< growth rate of the section's size from the first to the second half of the watched
+                        ///< revolutions, per revolution
     bool sought;        ///< chaotic motion: true if coexisting attractors were searched
     /// Coexisting attractor: k of a stable P-k, WHIRL_COEXISTING_AT_REST for a stable equilibrium; 0: none found.
     int coexisting;
@@ -110,8 +111,8 @@ typedef struct whirl_verdict {
     /// motion that settles on P-1, with its error; NaN if the section follows none.
     whirl_estimate settling;
     bool settles; ///< P-1: far from settled, recognized by `settling`
-    /// Undetermined or slowly observed quasi-periodic motion: order of the main line at no whole order; NaN if none is
-    /// clear.
+    /// Undetermined motion, or one judged quasi-periodic by its spectral lines: order of the largest line away from
+    /// whole orders; NaN if none is clear.
     double line;
     double line_share; ///< amplitude of that line over the size of the motion
     double line_trend; ///< growth rate of that amplitude, per revolution
@@ -139,10 +140,10 @@ typedef struct whirl_survival {
 } whirl_survival;
 
 /// Follows perturbed copies of a chaotic motion, from states of its section displaced by a millionth of its size.
-/// Counting begins when they have separated at the rate `exponent` (natural logarithm per revolution, above 0), and
-/// goes on for as many as exclude mean lives below 12,800 revolutions and below four times those watched. A copy ends
-/// when it is lost, comes to rest, or becomes regular. If none ends, mean lives below a third of the revolutions are
-/// excluded at 95 %. WHIRL_BAD_INPUT if the motion has too few sections, WHIRL_NO_MEMORY.
+/// Counting begins when they have separated at the rate `exponent` (natural logarithm per revolution, above 0). It goes
+/// on for enough revolutions to exclude mean lives below 12,800 revolutions and below four times the watched
+/// revolutions. A copy ends when it is lost, comes to rest, or becomes regular. If none ends, mean lives below a third
+/// of the revolutions are excluded at 95 %. WHIRL_BAD_INPUT if the motion has too few sections, WHIRL_NO_MEMORY.
 whirl_status whirl_record_survival(const whirl_system *system, const whirl_integrate_options *integrate,
                                    const whirl_record *record, double exponent, whirl_survival *survival);
 

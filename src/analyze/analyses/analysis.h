@@ -13,10 +13,10 @@ enum { MAX_ANALYSIS_FIELDS = 64 };
 /// Quantities that determine the sizes of the fields.
 typedef struct block_shape {
     size_t dimension, station_count, contact_count, touch_count, range_count;
-    size_t runout_count; ///< for all probes
+    size_t runout_count; ///< harmonics of the runout of all probes
     size_t samples_per_revolution;
     bool at_rest;                        ///< points are of machines at rest
-    bool twists, axial;                  ///< stations twist; they move along their shafts
+    bool twists, axial;                  ///< true if stations twist; true if stations move along their shafts
     size_t torque_count;                 ///< as in the system
     size_t excitation_count, path_count; ///< as in its torsion
     const whirl_record_options *options;
@@ -86,12 +86,12 @@ typedef struct analysis_plan {
     whirl_growth uses_growth; ///< growth that is followed for it (whirl_analysis_needs); with less it has fewer results
     bool uses_orbits;         ///< orbits are searched for it; without them it has fewer results
     whirl_status (*compute)(const whirl_record *record, const whirl_record_options *options, const block_view *view);
-    /// For machines at rest, called instead of `compute`. WHIRL_NUMERICAL_FAILURE: the point has no place of rest, and
-    /// its numbers are missing; WHIRL_BAD_INPUT ends the run, and `whirl check` says so first.
+    /// For machines at rest, called instead of `compute`. WHIRL_NUMERICAL_FAILURE: the point has no equilibrium, and
+    /// its numbers are missing; WHIRL_BAD_INPUT ends the run, and `whirl check` reports it beforehand.
     whirl_status (*compute_resting)(const whirl_resting *point, const whirl_record_options *options,
                                     const block_view *view);
-    /// Optional: does so for points that gain by being computed together, except those with an error in statuses
-    /// [count], and writes their statuses.
+    /// Optional: does the same for several points, where computing them together is faster. Skips points with an error
+    /// in statuses [count], and writes the statuses of the others.
     void (*compute_resting_together)(size_t count, const whirl_resting *points, const whirl_record_options *options,
                                      const block_view *views, whirl_status *statuses);
     /// For points of branches, likewise.

@@ -34,10 +34,10 @@ bool follows_all(const whirl_record *record);
 growth_balance gather_exponents(const whirl_record *record, whirl_estimate *exponents, double *values);
 
 /// Returns the sharp mean (estimate_regular_mean) of the second perturbation's growth, after the first tenth of the
-/// revolutions. NaN unless all perturbations were followed, or without memory.
+/// revolutions. NaN if not all perturbations were followed, or if memory is exhausted.
 whirl_estimate second_exponent(const whirl_record *record);
 
-/// Computes the balance alone. All zero unless all perturbations were followed, or without memory.
+/// Computes the balance alone. All zero if not all perturbations were followed, or if memory is exhausted.
 growth_balance balance_growth(const whirl_record *record);
 
 #endif

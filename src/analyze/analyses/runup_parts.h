@@ -62,8 +62,8 @@ enum {
     FIELD_COUNT
 };
 
-/// Fills the fields of slow roll from rows that are complete; they stay missing where the run has no such speed, and
-/// compensated ones where the 1X changes too much.
+/// Fills the fields of slow roll from rows that are complete. They stay missing if the run has no slow-roll speed; the
+/// compensated fields also if the 1X changes too much.
 void runup_fill_slow_roll(const block_view *view, const whirl_runup_options *options, size_t probes);
 
 /// Spectra, orbits and waveforms of a run, from the samples of its last turns.
@@ -112,7 +112,7 @@ bool runup_cycles_note(runup_history *histories, size_t torques, double time, co
 /// the system's torsion. WHIRL_NO_MEMORY.
 whirl_status runup_cycles_count(const runup_history *histories, size_t torques, const whirl_system *system,
                                 size_t first, double *out, double *damage);
-/// Processes the turning points so far.
+/// Writes the turning points so far to an archive, or reads them from it.
 void runup_cycles_archive(runup_history *histories, size_t torques, archive *a);
 
 void runup_cycles_free(runup_history *histories, size_t torques);
@@ -129,7 +129,7 @@ void runup_views_free(runup_views *views);
 /// Takes a turn into account: fills what is due before it. WHIRL_NO_MEMORY.
 whirl_status runup_views_add(runup_views *views, const runup_turn *turn);
 
-/// Processes what views of later turns depend on.
+/// Writes the data on which views of later turns depend to an archive, or reads them from it.
 void runup_views_archive(runup_views *views, archive *a);
 
 /// Fills what is unfinished when the run ends at `time`. WHIRL_NO_MEMORY.

@@ -26,7 +26,7 @@ void approach_archive(approach *a, archive *to);
 /// method is not worth a try.
 size_t approach_tries(approach *a, const settling *states, int revolution);
 
-/// Takes the result of Newton's method from that state: the approach then owns *s. WHIRL_NO_MEMORY.
+/// Takes the result of Newton's method that started at the last state: the approach then owns *s. WHIRL_NO_MEMORY.
 whirl_status approach_take(approach *a, orbit_search *s, const settling *states, int revolution);
 
 /// Checks the last revolution, if an orbit is known. Called before approach_arrives.

@@ -21,7 +21,7 @@ typedef struct orbit_search {
     double volume;            ///< sum of ln|multiplier| from the divergence; NaN if the system gives none
     double carried;           ///< revolutions that were computed, with all perturbations
     bool found;
-    bool in_lane, done; ///< it is in a lane, or has ended
+    bool in_lane, done; ///< true if the search is in a lane; true if it has ended
 } orbit_search;
 
 /// Makes a search from the state x [dimension], or one to be read (NULL). NULL without memory.
@@ -53,8 +53,9 @@ void orbit_searches_free(orbit_searches *s);
 size_t orbit_searches_lanes(const orbit_searches *s);
 
 /// Runs the searches [count], including those in lanes, until fewer than `least` >= 1 of them are unfinished. They use
-/// full Newton steps, few of them, since their starts are close to an orbit. An orbit that closes after fewer
-/// revolutions, a divisor, gets these. Searches in lanes must not be freed before they are done. WHIRL_NO_MEMORY.
+/// full Newton steps, few of them, since their starts are close to an orbit. If an orbit closes after fewer revolutions
+/// (a divisor of its period), these become its period. Searches in lanes must not be freed before they are done.
+/// WHIRL_NO_MEMORY.
 whirl_status orbit_searches_run(orbit_searches *s, orbit_search *const *searches, size_t count, size_t least);
 
 #endif

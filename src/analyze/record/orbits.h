@@ -9,7 +9,7 @@
 #include "section.h"
 
 /// Returns true if a search for an orbit of k revolutions costs little compared with the motion itself, given that
-/// Newton's method has already taken `spent` revolutions of it.
+/// Newton's method has already taken `spent` revolutions for this motion.
 bool orbits_pay(size_t dimension, const whirl_record_options *options, size_t k, double spent);
 
 /// Returns the revolutions after which the motion of a complete record returns; 0 if it does not, or if a search costs

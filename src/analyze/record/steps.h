@@ -11,8 +11,8 @@
 /// tolerance by the motion's size.
 whirl_status steps_look(const whirl_system *system, const whirl_integrate_options *integrate, whirl_record *record);
 
-/// Corrects a verdict for steps that are too long: none if they are unstable or wrong, less confidence if they are
-/// coarse.
+/// Corrects a verdict for steps that are too long: it becomes undetermined if they are unstable or far from the exact
+/// motion, and loses confidence if they are coarse.
 void steps_weigh(whirl_verdict *verdict, const whirl_step_quality *steps);
 
 /// Writes why steps leave a verdict undetermined; false if they do not.

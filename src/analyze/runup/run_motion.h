@@ -20,7 +20,7 @@ void run_motion_begin(whirl_run_motion *to, const whirl_probe *probes, const dou
 void run_motion_fill(whirl_run_motion *to, const whirl_probe *probes, const motion_node *low, const motion_node *high,
                      double begin, double end, double step);
 
-/// Processes what is filled in so far.
+/// Writes the instants filled in so far to an archive, or reads them from it.
 void run_motion_archive(whirl_run_motion *motion, archive *a);
 
 #endif

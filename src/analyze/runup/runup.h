@@ -74,13 +74,13 @@ typedef struct runup_happening {
 /// Maximum number of events: a trip and a loss of the options, and the events of a course.
 enum { RUNUP_EVENTS = WHIRL_MAX_EVENTS + 2 };
 
-/// Writes the events of the options themselves, a trip and a loss, to out [RUNUP_EVENTS]; returns their number. The
-/// station of the loss is the first one of a system without stations.
+/// Writes the events of the options themselves, a trip and a loss, to out [RUNUP_EVENTS]; returns their number. A
+/// system without stations (probe_count 0) gets station 0 for the loss.
 size_t runup_events_of(const whirl_runup_options *options, const whirl_system *system, runup_happening *out);
 
 typedef struct runup_run {
     runup_end end;
-    double time, speed, turns; ///< when it ended
+    double time, speed, turns; ///< at its end: s, rad/s, turns of the shaft
     double error;              ///< largest interpolation error of the numbers of its machines
     double sensitivity[4];     ///< as in the field runup/sensitivity
     size_t event_count;        ///< number of events that may happen
@@ -97,8 +97,9 @@ typedef void runup_see(void *context, const runup_turn *turn);
 /// A run between two of its turns.
 typedef struct runup_state runup_state;
 
-/// Processes everything that the rest of a run depends on, to the bit. When it reads, the run must have the same
-/// machine and plan; a state that does not fit leaves the run unusable, and the archive reports that.
+/// Writes everything that the rest of a run depends on to an archive, or reads it from there, to the bit. For reading,
+/// the run must have the same machine and plan; a state that does not fit leaves the run unusable, and the archive
+/// reports that.
 void runup_archive(runup_state *state, archive *a);
 
 /// Returns the number of turns so far, of settling and of the run.

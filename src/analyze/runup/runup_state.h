@@ -75,7 +75,7 @@ typedef struct runup_state {
     runup_weights *weights;              ///< [samples + 1] of the samples of a part
     double weights_passed, weights_step; ///< part whose weights these are: its angle within the turn (NaN: none), and
                                          ///< the distance of its samples
-    double turns, angle0;                ///< turns behind, and the angle of the first state
+    double turns, angle0;                ///< turns completed, and the angle of the first state
     double *peak_state;                  ///< [probes][most] the sample before the largest radius
     double *peak_from, *peak_length;     ///< [probes] its angle, and how far the sample after it is
     runup_where *peak_where;             ///< [probes] setting of that state
@@ -85,17 +85,18 @@ typedef struct runup_state {
     bool parted;                         ///< an event happened in the turn
     double *copy;                        ///< [most] a motion that began nearby; NULL: none, or it was lost
     double size;                         ///< largest radius so far
-    double growth, least, least_at;      ///< logarithm of the growth of its distance, the least so far, and when, s
-    size_t settled;                      ///< turns of settling behind
+    double growth, least, least_at;      ///< logarithm of the growth of the copy's distance; the least so far, and its
+                                         ///< time, s
+    size_t settled;                      ///< turns of settling completed
     bool begun;                          ///< settling is over
     runup_phase phase;
     bool first;          ///< the turn is the first from standstill
-    double passed;       ///< angle behind within the turn
+    double passed;       ///< angle covered so far within the turn
     double from, length; ///< the part to be carried: angle of its beginning (0 with time as variable), and length
     double *end;         ///< [most] where it begins; then, where it ends
     double *copy_end;    ///< [most] end of the copy over that part, if lanes carry it
     bool copy_carried;   ///< lanes have carried the copy over the part
-    unsigned settings;   ///< changes of the machine, of its turning and of its unbalances so far
+    unsigned settings;   ///< number of changes of the machine, of its turning and of its unbalances so far
     runup_run *run;
 } runner;
 

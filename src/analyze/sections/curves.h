@@ -7,8 +7,9 @@
 /// Closed curves on which the points lie and which they visit in turn.
 typedef struct closed_curves {
     int count; ///< 0 without such curves
-    /// Median of the revolutions between the visits of neighbours on a curve. A motion that settles on a lock of period
-    /// q never passes the start of another of its q branches, so that neighbours are a return apart: q.
+    /// Median of the revolutions between the visits of neighbours on a curve. It is q for a motion that settles on an
+    /// orbit of q revolutions: its section has q branches, one toward each point of the orbit, and neighbours on a
+    /// branch are q revolutions apart.
     int neighbours;
 } closed_curves;
 

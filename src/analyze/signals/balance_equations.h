@@ -1,4 +1,4 @@
-/// Shared by balancing: complex numbers, least squares, unknowns.
+/// Helpers that the files of balancing share: complex numbers, least squares, unknowns.
 #ifndef ANALYZE_BALANCE_EQUATIONS_H
 #define ANALYZE_BALANCE_EQUATIONS_H
 

@@ -9,7 +9,7 @@
 /// Fills agreement, confidence and advice of a verdict on a bounded motion, from the evidence that it rests on.
 void weigh_verdict(whirl_verdict *verdict, const evidence *e, const whirl_record *record);
 
-/// Returns the mean life below which values are excluded, at 95 %, for chaos that no copy was seen to end.
+/// Returns the mean life of chaos below which values are excluded at 95 %, given that no perturbed copy left the chaos.
 double verdict_least_life(const whirl_verdict *verdict);
 
 /// Returns true if the section of a motion grows at the rate of perturbations: it leaves an unstable motion, as a

@@ -13,9 +13,9 @@ typedef struct main_line {
     double share; ///< amplitude over half the diagonal of the station's box
     double trend; ///< rate of its amplitude per revolution; NaN if its neighbours hide it
     double drift; ///< change of its order from half to half of the record, likewise
-    double second, second_share, second_trend, second_drift; ///< the same of the second line; NaN without one
-    /// Independent frequencies, the shaft's included, of which all significant lines are combinations that are the
-    /// whole motion: 2 or 3; 0 if there are more, or others.
+    double second, second_share, second_trend, second_drift; ///< the same for the second line; NaN without one
+    /// Number of independent frequencies, the shaft's included: 2 or 3 if all significant lines are combinations of so
+    /// many frequencies and make up the whole motion; else 0.
     int frequencies;
 } main_line;
 

@@ -19,8 +19,8 @@ whirl_status derived_of_motion(const whirl_study *study, const whirl_batch *batc
                                const whirl_machine *machine, const double *end, const whirl_layout *layout,
                                double *block);
 
-/// Does the same for a point of a branch: the value at which a fold, a doubling, a Neimark-Sacker or a Hopf point of
-/// forced orbits or places of rest lies is its number. `system` is any machine of the batch.
+/// Does the same for a point of a branch. Its number is the parameter value of a fold, doubling, Neimark-Sacker or Hopf
+/// point of forced orbits or equilibria. `system` is any machine of the batch.
 whirl_status derived_of_special(const whirl_study *study, const whirl_batch *batch, const whirl_system *system,
                                 const whirl_branch_point *point, const whirl_layout *layout, double *block);
 

@@ -1,12 +1,13 @@
-/// Motions of a fit: their orbits at given values of the unknowns, and what the measured numbers are there.
+/// Motions of a fit: their orbits at given values of the unknowns, and the computed counterparts of the measured
+/// numbers.
 #ifndef STUDY_FIT_MOTIONS_H
 #define STUDY_FIT_MOTIONS_H
 
 #include "whirl/engine/fit.h"
 #include "whirl/engine/study.h"
 
-/// The orbit of a motion, for the values of the unknowns at which the fit is. Of a threshold at rest: its value, as a
-/// state of one coordinate; of a mode: its eigenvalue in rad/s, real and imaginary part.
+/// The orbit of a motion at values of the unknowns. For a threshold at rest the state is one coordinate, its value; for
+/// a mode it is the eigenvalue in rad/s, real and imaginary part.
 typedef struct fit_orbit {
     double at[WHIRL_MAX_UNKNOWNS]; ///< values of the unknowns
     size_t dimension;              ///< dimension of the state; 0: no orbit is known yet
@@ -14,12 +15,12 @@ typedef struct fit_orbit {
     double *slopes;                ///< [unknowns][dimension] derivatives of that state
     double largest, speed;         ///< largest modulus of its multipliers, and speed of the shaft, rad/s
     double value;                  ///< value of the onset of an orbit
-    double by[WHIRL_MAX_UNKNOWNS]; ///< and the derivatives of that value
-    whirl_special special;         ///< and the kind of point that it is
+    double by[WHIRL_MAX_UNKNOWNS]; ///< derivatives of `value` by the unknowns
+    whirl_special special;         ///< kind of the point at the onset
     double scatter;                ///< largest scatter of a statistic, over its noise
 } fit_orbit;
 
-/// All motions of a fit. `tried` are the orbits of the last evaluation, `kept` those at which the fit is.
+/// All motions of a fit. `tried` are the orbits of the last evaluation, `kept` those of the best values so far.
 typedef struct fit_motions {
     const whirl_study *study;
     const whirl_batch *batch;

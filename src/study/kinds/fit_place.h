@@ -26,8 +26,8 @@ whirl_status fit_place_machine(const fit_place *p, whirl_machine *machine);
 /// there, after the whole transient. x [dimension] is the start, and workspace.
 whirl_status fit_place_begin(const fit_place *p, const whirl_system *system, double *x, whirl_orbit **orbit);
 
-/// Notes the state [dimension] of an orbit, or the number in its place, and its derivatives [unknowns][dimension]
-/// (NULL: zeros) as what is found at a place. Frees what was noted before. WHIRL_NO_MEMORY.
+/// Notes the result at a place in *out: the state [dimension] of an orbit, or the number in its place, and its
+/// derivatives [unknowns][dimension] (NULL: zeros). Frees the earlier result. WHIRL_NO_MEMORY.
 whirl_status fit_place_note(const fit_place *p, size_t dimension, const double *node, const double *slopes,
                             fit_orbit *out);
 

@@ -4,10 +4,10 @@
 
 #include "fit_place.h"
 
-/// Computes the numbers of a place's motion, which stand together from `first` on, over fit.record revolutions after
-/// the transient, from the machine's start: model [numbers], and their derivatives slopes [numbers][unknowns] by
-/// differences over a part fit.difference of the unknowns. WHIRL_BAD_INPUT if a motion leaves its bounds;
-/// WHIRL_NO_MEMORY.
+/// Computes the numbers of a place's motion over fit.record revolutions after the transient, from the machine's start:
+/// model [numbers], and their derivatives slopes [numbers][unknowns] by finite differences with the relative step
+/// fit.difference. These numbers are consecutive in the fit, from `first` on. WHIRL_BAD_INPUT if a motion leaves its
+/// bounds; WHIRL_NO_MEMORY.
 whirl_status fit_statistics(const fit_place *p, size_t first, fit_orbit *tried, double *model, double *slopes);
 
 #endif

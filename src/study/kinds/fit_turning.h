@@ -4,15 +4,15 @@
 
 #include "fit_place.h"
 
-/// A study whose batch varies the value. Where that is the speed, the batch's own parameter has no name.
+/// A study whose batch varies the value of the onset. If that is the speed, the batch's own parameter has no name.
 typedef struct fit_turning {
     const whirl_study *base;
-    double speed; ///< rad/s, of machines at which another parameter varies
+    double speed; ///< rad/s, constant speed of the machines if another parameter varies
     whirl_study study;
     whirl_batch batch;
 } fit_turning;
 
-/// Makes the study of a place. It borrows both, and must stay where it is.
+/// Makes the study of a place. It borrows from the place. It holds pointers to *t, which must not be moved.
 void fit_turning_make(fit_turning *t, const fit_place *p);
 
 #endif

@@ -1,4 +1,4 @@
-/// Options of orbits that points of a study are computed by.
+/// Options with which a study's points find orbits.
 #ifndef STUDY_ORBIT_OPTIONS_H
 #define STUDY_ORBIT_OPTIONS_H
 

@@ -11,7 +11,8 @@ typedef struct resting_place {
     double value;
 } resting_place;
 
-/// Returns the point of a machine without modes, critical points and other equilibria. It borrows both.
+/// Returns the point of a machine without modes, critical points and other equilibria. It borrows the place and the
+/// machine.
 whirl_resting resting_point_of(const resting_place *at, const whirl_machine *machine);
 
 #endif

@@ -15,7 +15,7 @@ typedef struct rows {
     whirl_machine machine; ///< machine of the first value; all machines have its probes
     size_t capacity;       ///< most rows of the table
     size_t count;          ///< rows in the table
-    bool left_out;         ///< points are gathered, and none of these rows is known
+    bool left_out;         ///< true if the run only gathers points and the journal has none of these rows
     size_t recalled;       ///< rows in the table that come from the journal, of finished branches
     size_t next;           ///< number of the branch to be searched next, from 1
     size_t at;             ///< row along whose branch others are searched
@@ -35,13 +35,15 @@ bool rows_recall(rows *r, size_t count);
 /// Adds the points of a branch, and keeps them in the journal if the branch is finished.
 whirl_status rows_add(rows *r, const whirl_branch *branch, size_t number, size_t parent);
 
-/// Adds rows piece by piece: returns the block of a row (row `count` is filled first); takes that row; keeps the rows
-/// from `first` on if their branch is finished, and informs the tracker.
+/// Add rows piece by piece. rows_block returns the block of a row; fill that of row `count`. rows_take then adds this
+/// row to the table. rows_keep writes the rows from `first` on to the journal if their branch has ended, and informs
+/// the tracker.
 double *rows_block(const rows *r, size_t row);
 void rows_take(rows *r, double value);
 whirl_status rows_keep(rows *r, size_t first, bool ended);
 
-/// Returns the first number of a row's field; its first node [dimension]; its whole orbit, which is to be freed.
+/// rows_field returns the first number of a row's field, rows_nodes its first node [dimension]. rows_trace reads its
+/// whole orbit, which the caller frees.
 const double *rows_field(const rows *r, size_t row, const char *field);
 const double *rows_nodes(const rows *r, size_t row);
 whirl_status rows_trace(const rows *r, size_t row, whirl_trace *trace);

@@ -7,7 +7,7 @@
 #include "whirl/engine/study.h"
 
 /// Adds the fields of the second and third parameters' values, "map/second" and "map/third", to a batch's layout, and
-/// of a refined map the width. WHIRL_BAD_INPUT if it has too many fields.
+/// for a refined map the field "map/width". WHIRL_BAD_INPUT if it has too many fields.
 whirl_status map_add_field(const whirl_batch *batch, whirl_layout *layout);
 
 /// Notes these values in the block of a point, by its index in the batch.

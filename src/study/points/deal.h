@@ -14,15 +14,15 @@ typedef struct deal {
     const whirl_dealer *dealer; ///< NULL: all pieces are this run's
     size_t number;              ///< pass_number of the pass
     size_t count;               ///< pieces
-    size_t next, end;           ///< pieces that this run has and no thread has begun
-    size_t dealt;               ///< pieces before this one were dealt to some run
+    size_t next, end;           ///< range of the pieces that this run has claimed and no thread has begun
+    size_t dealt;               ///< all pieces before this index were dealt to some run
     int threads;                ///< threads of all runs
 } deal;
 
 /// Makes the deal of a pass with `count` pieces.
 deal deal_begin(const study_run *run, const pass *p, size_t count);
 
-/// Pieces that no thread is known to have begun.
+/// Returns the number of pieces that no thread is known to have begun.
 static inline size_t deal_left(const deal *d) {
     return d->end - d->next + d->count - d->dealt;
 }

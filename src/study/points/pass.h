@@ -13,14 +13,14 @@ typedef struct pass {
     size_t batch;
     int round;       ///< round of refinement; 0: the study itself
     bool confirming; ///< computes motions of finished points at the second tolerance
-    bool anew;       ///< computes points that are not in the journal, even while others are gathered
+    bool anew;       ///< computes points that are not in the journal, even if the run otherwise only gathers points
     int copy;        ///< number from 1 of perturbed copies that continue finished points; 0: no copies
     whirl_integrate_options integrate;
     whirl_record_options record;
     size_t count;  ///< points
     size_t *slots; ///< its points, or the first point of each piece if points are carried; NULL: all points of the
                    ///< batch
-    bool dealt;    ///< true if other runs compute points of it, too
+    bool dealt;    ///< true if other runs compute points of this pass, too
 } pass;
 
 /// Returns the number of points that are computed one after the other, each from the end of the previous one: 1 if no
@@ -60,7 +60,7 @@ double *pass_copy_start(const study_run *run, const pass *p, size_t slot);
 /// Returns the slot at whose end a motion from a neighbour begins; for other motions the slot itself.
 size_t pass_origin(const study_run *run, size_t batch, size_t slot);
 
-/// Returns true after the deadline.
+/// Returns true if the run's deadline has passed.
 bool pass_time_is_over(const study_run *run);
 
 #endif

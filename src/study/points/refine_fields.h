@@ -29,7 +29,7 @@ bool refine_option(size_t index, refined_option *option);
 /// Returns the refinement's numbers in a block, NULL if the layout has none.
 double *refine_noted(const whirl_layout *layout, double *block);
 
-/// Sets a pass's options to the noted ones.
+/// Sets a pass's options to those noted in `numbers` (refine_noted).
 void refine_recall(const double *numbers, pass *pass);
 
 /// Adds the fields "refine/..." to the layout of a table. WHIRL_BAD_INPUT if it has too many.
@@ -38,7 +38,8 @@ whirl_status refine_add_fields(whirl_layout *layout);
 /// Notes the options of a finished point in its block, if it has such fields; `spent` is its cost so far.
 void refine_note(const whirl_layout *layout, double *block, const pass *pass, double spent);
 
-/// Returns the cost of refining a point so far, 0 if nothing was noted; and adds a further cost.
+/// refine_spent returns the cost of refining a point so far, in revolutions, 0 if nothing was noted; refine_add_spent
+/// adds to it.
 double refine_spent(const whirl_layout *layout, const double *block);
 void refine_add_spent(const whirl_layout *layout, double *block, double revolutions);
 

@@ -1,5 +1,5 @@
-/// The journal of a run. All functions may be called from any thread; one thread at a time has the journal. For a
-/// journal NULL they read and write nothing.
+/// The journal of a run. All functions may be called from any thread; a lock lets one thread at a time use the journal.
+/// For a journal NULL they read and write nothing.
 #ifndef STUDY_RUN_JOURNAL_H
 #define STUDY_RUN_JOURNAL_H
 
@@ -32,7 +32,8 @@ static inline bool run_journal_saves(const whirl_point_store *journal) {
     return journal && journal->save;
 }
 
-/// Seconds between two saves of a point under way, the first after its beginning. Shorter points are cheaper to repeat.
+/// Seconds between two saves of a point under way, and from its beginning to the first save. Shorter points are cheaper
+/// to repeat.
 static const double save_interval = 5.0;
 
 /// Returns the time of the next save after one that took from `begun` to `now`. Large states on a slow disk are saved

@@ -10,7 +10,8 @@
 /// have starts from neighbours. WHIRL_BAD_INPUT if it has too many.
 whirl_status starts_add_fields(const whirl_batch *batch, size_t stations, whirl_layout *layout);
 
-/// Start of a motion: a state [dimension], which is the end of slot `origin`, unless that is the slot itself.
+/// Start of a motion: a state [dimension]. It is the end of the motion of slot `origin`, unless `origin` is the slot
+/// itself.
 typedef struct beginning {
     size_t slot, origin;
     const double *state;

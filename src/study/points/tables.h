@@ -13,7 +13,8 @@ whirl_status tables_new(const whirl_study *study, whirl_result **result);
 /// Makes the blocks, or leaves those of tables of `memory` bytes or more (0: 256 MB) in the journal.
 whirl_status tables_fill(const study_run *run, size_t memory);
 
-/// Reduces a table to the wanted [count] slots; it remembers their old slots. WHIRL_NO_MEMORY.
+/// Reduces a table to the slots with wanted [count] not 0, and records their old indices in table->slots.
+/// WHIRL_NO_MEMORY.
 whirl_status table_close_up(whirl_table *table, const unsigned char *wanted);
 
 /// Sets the blocks of points that are not done to NaN.

@@ -28,7 +28,7 @@ void tracker_neighbours(tracker *tracker, int round, size_t points, double revol
 /// Begins to follow motions, in round 0 or in a round of refinement.
 void tracker_follow(tracker *tracker, int round, size_t motions, double revolutions);
 
-/// Adds to the progress and reports it now and then. False if the run must end.
+/// Adds to the progress, and reports it a few times a second. Returns false if the run must end.
 bool tracker_advance(tracker *tracker, double revolutions, size_t points);
 
 /// Adds a point that needs no computing.

@@ -20,8 +20,8 @@ bool bounds_read(const whirl_table *table, size_t point, size_t stations, double
 enum { MAP_AXES = 3 }; ///< at most
 
 typedef struct map_axis {
-    size_t count; ///< places along it
-    size_t step;  ///< difference of the indices of neighbours
+    size_t count; ///< number of places along the axis
+    size_t step;  ///< difference between the indices of neighbours along it
 } map_axis;
 
 /// Lists the axes of a table: one of a sweep, two of a map, three with planes. Returns how many.

@@ -13,8 +13,8 @@ void journal_blocks_free(whirl_journal_blocks *blocks);
 /// Drops the block in memory, after points of the table were moved.
 void journal_blocks_forget(whirl_journal_blocks *blocks);
 
-/// Makes memory for the widths of a refined map's points, and notes one: the journal has blocks from before these were
-/// known, and journal_blocks_of adds them. WHIRL_NO_MEMORY.
+/// Allocate memory for the widths of a refined map's points, and note one width. Blocks in the journal were written
+/// before the widths were known; journal_blocks_of fills them in. WHIRL_NO_MEMORY.
 whirl_status journal_blocks_make_widths(const whirl_table *table);
 void journal_blocks_note_width(const whirl_table *table, size_t point, double width);
 

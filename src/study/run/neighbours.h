@@ -1,6 +1,6 @@
 /// Starts from neighbours: each place of a study is started from the ends of its neighbours' motions on attractors that
-/// none of its own starts reached, round after round. What a round does follows from the blocks alone, and every such
-/// start has its own slot: threads, journals and interruptions change no bit.
+/// none of its own starts reached, round after round. A round depends on the blocks alone, and every such start has its
+/// own slot, so threads, journals and interruptions change no bit.
 #ifndef STUDY_NEIGHBOURS_H
 #define STUDY_NEIGHBOURS_H
 

@@ -7,7 +7,7 @@
 #include "pass.h"
 #include "study_run.h"
 
-/// Makes all passes, on all threads. The tracker reports errors and stops. WHIRL_NO_MEMORY.
+/// Computes the points of all passes, on all threads. The tracker reports errors and stops. WHIRL_NO_MEMORY.
 whirl_status passes_work(study_run *run, const pass *passes, size_t count);
 
 /// Returns the outcome of a stage, after its threads have ended: WHIRL_STOPPED if a stop came before its last point.

@@ -15,9 +15,9 @@ whirl_status refined_maps_new(study_run *run);
 void refined_maps_free(study_run *run);
 
 /// Fills a pass with the points of a refined map that the run's share has requested so far: at first the corners of its
-/// first squares. Its slots are to be freed. WHIRL_NO_MEMORY.
-/// In shares, first squares request points alone. The run that gathers the shares lets them request together once all
-/// points are known, and computes the missing ones in the late pass, which the first pass leaves out.
+/// first squares. Its slots are to be freed. WHIRL_NO_MEMORY. In a share, each first square requests points by its own
+/// points alone. The run that gathers the shares lets all squares request together once all points are known. It
+/// computes the points that are then missing in the late pass (refined_late_pass).
 whirl_status refined_pass(const study_run *run, pass *p);
 whirl_status refined_late_pass(const study_run *run, pass *p);
 

@@ -1,4 +1,4 @@
-/// Points of a pass that belong to this run, of several runs that share a study.
+/// Points of a pass that belong to this run, if several runs share a study.
 #ifndef STUDY_SHARE_H
 #define STUDY_SHARE_H
 
@@ -9,7 +9,7 @@
 /// slots are to be freed. WHIRL_NO_MEMORY.
 whirl_status share_pass(const study_run *run, pass *p);
 
-/// Reduces a pass that confirms carried points to the points that this run has.
+/// Reduces a pass that confirms carried points to the points that this run has computed.
 void share_confirmed(const study_run *run, pass *p);
 
 #endif

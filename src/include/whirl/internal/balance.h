@@ -103,7 +103,7 @@ typedef struct whirl_balance {
     char model[256];    ///< path of a case, from the folder of the file; "": none
     bool by_model;      ///< influence coefficients come from the model instead of the runs
     double model_error; ///< relative error of the model's critical speeds
-    double kind;        ///< amplitudes of the file over those zero to peak
+    double kind;        ///< factor from zero-to-peak amplitudes to those of the file
     double keyphasor;   ///< rad from the model's x axis towards y, at which the mark is sensed
     size_t probe_count; ///< number of probes
     whirl_balance_probe probes[WHIRL_MAX_BALANCE_PROBES]; ///< [probe_count]

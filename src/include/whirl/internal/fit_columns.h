@@ -1,4 +1,5 @@
-/// Columns of the fields of a fit (WHIRL_FIELD_FIT_OUTCOME, _UNKNOWN, _MOTION, _NUMBER), and their numbers.
+/// Columns of the fields of a fit: WHIRL_FIELD_FIT_OUTCOME, _UNKNOWN, _MOTION and _NUMBER. The last constant of each
+/// list is the number of columns.
 #ifndef WHIRL_FIT_COLUMNS_H
 #define WHIRL_FIT_COLUMNS_H
 
