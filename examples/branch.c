@@ -1,6 +1,6 @@
-// Where and why a rotor's motion changes: the orbit of the paper's case is followed over the stiffness ratio r_k of its
-// shaft, stable or not, and its special points are printed: folds, doublings, tori, first touches. A torus that begins
-// is followed in turn, with the second frequency of the disc, to where it ends.
+// Follows the orbit of the paper's case over the stiffness ratio r_k of its shaft, stable or not, and prints its
+// special points: folds, doublings, tori, first touches. The first torus that begins there is followed to its end, and
+// the second frequency of the disc's motion is printed.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,7 +20,8 @@ static whirl_status make_machine(const void *context, double r_k, whirl_machine 
     return status;
 }
 
-/// An orbit to begin with: where the rotor settles at r_k, by Newton's method from there.
+/// Finds the orbit to begin with: lets the rotor settle at r_k, and applies Newton's method from the state that it
+/// reaches.
 static whirl_status settle(const whirl_family *family, double r_k, const whirl_branch_options *options,
                            whirl_orbit **orbit) {
     double x[8] = {0.0, -0.6, 0.0, -0.6}; // lengths in clearances

@@ -3,10 +3,10 @@
 
     examples/diagnose.py [FOLDER]
 
-The records are those of cases/fault-records.yaml: eight labels, five sensors. Their features are what diagnosis looks
-at: amplitudes of orders, forward and backward, whirl below the speed, kurtosis and crest of the pedestal's vibration.
-Two small classifiers of scikit-learn (Debian: python3-sklearn) learn them from some machines and are tested with others,
-four times, so that every machine is tested once:
+The records are those of cases/fault-records.yaml: eight labels, five sensors. Their features are amplitudes of orders,
+forward and backward, the amplitude of whirl below the speed, and kurtosis and crest of the pedestal's vibration.
+Two small classifiers of scikit-learn (Debian: python3-sklearn) learn labels from the features of some machines. They
+are tested with others, in four rounds, so that every machine is tested once. The tests use:
 
 - machines of the same kind, mild faults and severe ones;
 - the second halves of the records whose first halves they were trained with: a mistake, which looks like skill;
@@ -30,7 +30,7 @@ MACHINES = 16
 
 
 def make(folder, name, machines=MACHINES, noise=True, **parameters):
-    """The data set of the case with changes; of a file that is there."""
+    """Returns the data set of the case with these changes, from its file if that exists."""
     path = Path(folder) / f"{name}.h5"
     if path.exists():
         return whirl.dataset(path)
@@ -89,7 +89,7 @@ def classifiers():
 
 
 def predicted_by_machine(name, known, tested, targets, machines):
-    """Labels that a classifier gives `tested` features of machines, having learnt `known` ones of all others."""
+    """Returns labels predicted for `tested` features by a classifier trained with `known` ones of other machines."""
     predicted = np.empty_like(targets)
     for part in range(4):
         test = machines % 4 == part
@@ -98,7 +98,7 @@ def predicted_by_machine(name, known, tested, targets, machines):
 
 
 def study(folder):
-    """The data set, what each classifier takes its records for, and accuracies by test and classifier."""
+    """Returns the data set, predicted labels of its records by classifier, and accuracies by classifier and test."""
     data, quiet = make(folder, "rotor"), make(folder, "quiet", noise=False)
     other = make(folder, "other", machines=6, k="4.5 MN/m", oil="12 mPa s", **{"dataset.seed": 2})
     own, without_noise, of_others = rows(data), rows(quiet), rows(other)

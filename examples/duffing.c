@@ -1,5 +1,5 @@
-// Any system: integrators and analyses know nothing of rotors. Duffing's oscillator x'' + 0.3 x' - x + x^3 = gamma
-// cos 1.2 t.
+// A system that is no rotor, with equations of your own: Duffing's oscillator x'' + 0.3 x' - x + x^3 = gamma cos 1.2 t.
+// Integrators and analyses need only its whirl_system.
 #include <math.h>
 #include <stdio.h>
 

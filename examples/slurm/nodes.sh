@@ -9,13 +9,13 @@
 set -u
 case=$1 result=$2
 
-# A little less than --time: the journals are complete when the job ends. Every task is told its number by srun.
+# A little less than --time: the journals are complete when the job ends. srun gives every task its number.
 # shellcheck disable=SC2016
 srun bash -c 'exec whirl run "$0" -o "$1" --quiet --shard "$((SLURM_PROCID + 1))/$SLURM_NTASKS" --resume \
     --max-time="${MAX_TIME:-3.5 h}" --threads "${SLURM_CPUS_PER_TASK:-1}"' "$case" "$result"
 status=$?
 
-# 3: unfinished. The same job goes on when it comes again, on as many nodes as it gets then.
+# Status 3: unfinished. The job is queued again, and continues on as many nodes as it then gets.
 if [ $status = 3 ]; then scontrol requeue "$SLURM_JOB_ID"; fi
 if [ $status != 0 ]; then exit $status; fi
 srun --nodes=1 --ntasks=1 whirl merge "$case" -o "$result" --threads "${SLURM_CPUS_PER_TASK:-1}"

@@ -14,13 +14,13 @@ typedef struct archive {
     bool sound; ///< false if the data read do not fit
 } archive;
 
-/// Processes `size` bytes of memory.
+/// Measures, writes or reads `size` bytes of memory, as a->way says.
 void archive_part(archive *a, void *memory, size_t size);
 
-/// Processes a number that must be equal when it is read.
+/// Does the same with a number; reading a different number clears a->sound.
 void archive_same(archive *a, double number);
 
-/// Processes a count, at most `most` when it is read.
+/// Does the same with a count; reading more than `most` clears a->sound.
 void archive_count(archive *a, size_t *count, size_t most);
 
 #endif

@@ -6,8 +6,9 @@ typedef struct build_fact {
     const char *name, *value;
 } build_fact;
 
-/// "version", "revision", "sources" (a SHA-256 of all of them), "compiler", "flags", "build type", "libraries"; static,
-/// terminated by an entry whose name is NULL. Unknown facts (a source archive has no revision) are "unknown".
+/// Returns the facts "version", "revision", "sources" (a SHA-256 of all source files), "compiler", "flags", "build
+/// type" and "libraries". The list is static and ends with an entry whose name is NULL. The value of an unknown fact is
+/// "unknown": a source archive has no revision.
 const build_fact *build_facts(void);
 
 /// Returns a SHA-256 of the sources that film tables depend on, or "unknown".

@@ -99,7 +99,7 @@ static inline void v_sincos(vec t, vec *sine, vec *cosine) {
     const vec low = v_fnma(quarters, v_set(0x1.3198a2e037073p-69), v_sub(v_sub(near, r), middle));
     vec s, c;
     v_sincos_near(r, low, &s, &c);
-    // turn: quarter turns modulo 4, from -2 to 2. After an odd number sin and cos have changed places.
+    // turn: quarter turns modulo 4, from -2 to 2. After an odd number of them sin and cos have changed places.
     const vec turn = v_fnma(v_set(4.0), v_round(v_mul(v_set(0.25), quarters)), quarters);
     const vec_mask second = v_less(v_set(1.5), v_abs(turn)),
                    odd = v_less(v_abs(v_sub(v_abs(turn), v_set(1.0))), v_set(0.5));

@@ -13,7 +13,8 @@
 typedef struct lanes_view {
     const void *model;
     size_t stride, vectors;
-    void *numbers;        ///< a system may keep there what it computes from the state before it reads it
+    void *numbers;        ///< constants of each machine; a system may have further rows there that it computes from the
+                          ///< state in every call
     const size_t *places; ///< [part_count] start of each part's numbers; NULL: parts follow each other, unshared
     const void *forcing;  ///< [forcing_count]
     const void *sides;    ///< [switch_count] -1 or +1, as whirl_system.rhs_on_sides takes them; NULL: the state decides

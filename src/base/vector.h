@@ -151,7 +151,7 @@ static inline vec v_flip(vec a, vec sign) {
 static inline vec v_seed(long long magic, vec a) {
     return _mm512_castsi512_pd(_mm512_sub_epi64(_mm512_set1_epi64(magic), _mm512_castpd_si512(a)));
 }
-/// Subtracts half of this integer.
+/// Subtracts half of that integer from `magic`.
 static inline vec v_seed_half(long long magic, vec a) {
     return _mm512_castsi512_pd(
         _mm512_sub_epi64(_mm512_set1_epi64(magic), _mm512_srli_epi64(_mm512_castpd_si512(a), 1)));
@@ -436,8 +436,8 @@ static inline vec v_fms(vec a, vec b, vec c) {
 static inline vec v_fnma(vec a, vec b, vec c) {
     return VECTOR_FUSED ? fma(-a, b, c) : c - a * b;
 }
-/// Minimum and maximum. If an operand is not a number, the result is the second one, as of the processor's
-/// instructions.
+/// Minimum and maximum. If an operand is not a number, the result is the second operand, as with the instructions of
+/// x86 processors.
 static inline vec v_min(vec a, vec b) {
     return a < b ? a : b;
 }

@@ -54,7 +54,7 @@ typedef struct dop853_work {
     dop853_sums sums;
     double *k[DOP853_SLOPES]; ///< [rates] slopes in adjacent rows
     double *base;             ///< cos and sin of t
-    double *divergence;       ///< [DOP853_STAGES + 1] where the slopes were taken
+    double *divergence;       ///< [DOP853_STAGES + 1] at the states at which slopes were taken
 } dop853_work;
 
 /// Workspace of the steps of rodas5p (kernels/rodas5p_lanes.c).
@@ -193,7 +193,7 @@ typedef struct lanes_method {
     /// Lays out the method's own arrays, and the arrays of the step that it owns, in a block of rows. Returns the
     /// number of rows. With a block of NULL it only counts them.
     size_t (*lay_out)(adaptive_lanes *lanes, double *block);
-    void (*prepare)(adaptive_lanes *lanes); ///< writes what is constant into its arrays
+    void (*prepare)(adaptive_lanes *lanes); ///< writes the constants into the method's own arrays
 } lanes_method;
 
 FOR_EVERY_ISA(adaptive_lanes_revolve, dop853_lanes);

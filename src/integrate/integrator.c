@@ -53,8 +53,8 @@ static bool positive(double value) {
 whirl_status whirl_integrate_check(const whirl_system *system) {
     if (system->frequency_count == 0) return whirl_ok();
     return whirl_fail(WHIRL_BAD_INPUT,
-                      "a bearing has coefficients over frequencies of whirl, which no motion in time has "
-                      "one of, expected a machine that was built to move (whirl_design_in_time)");
+                      "a bearing has coefficients over the frequency of whirl, and a motion in time has no single "
+                      "one, expected a machine that was built for motions (whirl_design_in_time)");
 }
 
 whirl_status check_options(const whirl_system *system, const whirl_integrate_options *options) {

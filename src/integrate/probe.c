@@ -50,8 +50,9 @@ const whirl_member *whirl_probe_members(void) {
         COORDINATE(vy, "y'", RATE),
         PROBE(INDEX, shaft, "", "1", "", "", "number of the shaft of finite elements, from 1; 0: on none", WHIRL_ANY),
         PROBE(NUMBER, position, "", "m", "", "", "place along that shaft, m", WHIRL_ANY),
-        PROBE(FLAG, along_y, "", "1", "", "", "whether one coordinate alone is that along y", WHIRL_ANY),
-        PROBE(FLAG, twists, "", "1", "", "", "whether it only turns about the shaft's axis: m are rad", WHIRL_ANY),
+        PROBE(FLAG, along_y, "", "1", "", "", "whether the only coordinate is that along y", WHIRL_ANY),
+        PROBE(FLAG, twists, "", "1", "", "",
+              "whether the station only turns about the shaft's axis: lengths in m are angles in rad", WHIRL_ANY),
         PROBE(FLAG, clockwise, "", "1", "", "", "whether the rotor turns clockwise, from y to x", WHIRL_ANY),
         {.part = NULL},
     };

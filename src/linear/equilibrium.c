@@ -366,9 +366,10 @@ static double largest_clearance(const whirl_system *system) {
     return largest;
 }
 
-/// Finds an equilibrium in all coordinates at once, over the share of the load from the same places. A pad on a spring
-/// may pass from a tilt that it keeps before a journal that is held to one that it only keeps together with a journal
-/// that gives way. Of several equilibria the one with the least growth is taken.
+/// Finds an equilibrium by following all coordinates at once over the share of the load, from the same places of the
+/// journals. The other searches balance the tilts of pads for a fixed journal. They miss equilibria in which the tilt
+/// of a pad on a spring is stable only because the journal can move with it. Of several equilibria the one with the
+/// least growth is taken.
 static bool search_paths(search *s, const double *start, double *x, double *at) {
     const size_t n = s->mean->count, d = s->mean->system->dimension;
     const double unit = largest_clearance(s->mean->system);

@@ -140,7 +140,7 @@ static whirl_status respond(mean_system *m, double *rest, double *response, doub
 }
 
 whirl_status whirl_synchronous_check(const whirl_system *system, double speed) {
-    static const double rounding = 1e-9; // as of tables over the speed
+    static const double rounding = 1e-9; // as in tables over the speed
     const size_t count = system->frequency_count;
     const double frequency = fabs(speed);
     if (count == 0 || (frequency >= system->frequencies[0] * (1.0 - rounding) &&

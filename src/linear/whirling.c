@@ -77,7 +77,7 @@ static whirl_status close_in(const whirl_whirling *others, const double *rest, s
 static int by_frequency(const void *a, const void *b) {
     const zero *p = a, *q = b;
     if (p->frequency != q->frequency) return p->frequency < q->frequency ? -1 : 1;
-    return p->rank > q->rank ? -1 : p->rank < q->rank; // of equal frequencies the smaller part first
+    return p->rank > q->rank ? -1 : p->rank < q->rank; // of equal frequencies the smaller imaginary part first
 }
 
 /// Finds the zeros between two neighbouring frequencies.

@@ -1,7 +1,7 @@
 // Named values in an HDF5 file: attributes and datasets of texts, doubles and whole numbers.
 //
-// Every call takes a status, which keeps the first failure; after it calls do nothing. So callers need no checks, and
-// read like a list of the file's contents.
+// Every call takes a status, which keeps the first failure; calls after a failure do nothing. So callers need no
+// checks, and read like a list of the file's contents.
 #ifndef STORE_ITEMS_H
 #define STORE_ITEMS_H
 

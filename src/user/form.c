@@ -1,6 +1,6 @@
-// Calls a user's functions once before a run, to check that they have the form that whirl calls. From Python they come
-// as addresses, whose form nothing else checks. A function of another form shows by writing its slopes into the
-// parameters, or by leaving them unwritten.
+// Calls a user's functions once before a run, to check that they have the signatures with which whirl calls them. From
+// Python they come as addresses, whose signatures nothing else checks. A function with another signature writes its
+// slopes into the parameters, or leaves slopes unwritten.
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -60,7 +60,7 @@ whirl_status user_check_form(const whirl_user_system *system) {
     a.perturbation = a.parameters + a.capacity;
     a.slopes = a.perturbation + a.capacity;
     a.kept = a.slopes + a.capacity;
-    // Call the slopes. A failure at the start says nothing about the form: the run will report it.
+    // Call the slopes. A failure at the start says nothing about the signature: the run will report it.
     const double t = 0.0;
     whirl_status status = whirl_ok();
     form_fill(system, &a);

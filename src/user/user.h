@@ -90,7 +90,7 @@ struct whirl_user_system {
 };
 
 /// Calls the functions once, at the start. WHIRL_BAD_INPUT if they change their inputs or leave slopes unwritten, as
-/// functions of another form do; WHIRL_NO_MEMORY.
+/// functions with another signature do; WHIRL_NO_MEMORY.
 whirl_status user_check_form(const whirl_user_system *system);
 
 /// Adds facts to a result that identify the equations.

@@ -53,7 +53,8 @@ VectorXd next_of(const State &s) {
     const auto count = static_cast<Index>(free.size());
     VectorXd out = s.p;
     if (count == 0) return out;
-    // Scale columns to length 1 at most: in no unit does a column look like rounding. Damping adds a row for each.
+    // Scale columns to length 1 at most, so that no choice of units makes a column look like rounding. Damping adds a
+    // row for each.
     MatrixXd a = MatrixXd::Zero(s.m + count, count);
     VectorXd b = VectorXd::Zero(s.m + count);
     b.head(s.m) = -s.r;
@@ -182,7 +183,8 @@ bool least_squares_describe(size_t unknowns, size_t count, const double *derivat
         const Eigen::JacobiSVD<MatrixXd> svd(a, Eigen::ComputeThinU | Eigen::ComputeThinV);
         const VectorXd &values = svd.singularValues();
         const MatrixXd &v = svd.matrixV();
-        // Sum the covariance over singular vectors on which r depends. Unknowns that belong to the others are lost.
+        // Sum the covariance over singular vectors on which r depends. Unknowns that belong to other singular vectors
+        // have no finite error.
         MatrixXd covariance = MatrixXd::Zero(n, n);
         std::vector<bool> lost(unknowns, false);
         facts->rank = 0;

@@ -23,7 +23,7 @@ void matrix_balance(size_t n, double *a, double *scale) {
             double row, column;
             off_diagonal_sums(n, a, i, &row, &column);
             if (!(row > 0.0) || !(column > 0.0) || !isfinite(row) || !isfinite(column)) continue;
-            // The power of two next to sqrt(row / column): column * factor and row / factor are alike.
+            // With the power of two nearest to sqrt(row / column), column * factor and row / factor are alike.
             const double factor = exp2(round(0.5 * log2(row / column)));
             if (column * factor + row / factor >= 0.95 * (row + column)) continue;
             for (size_t k = 0; k < n; k++) {

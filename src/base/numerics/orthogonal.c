@@ -5,7 +5,7 @@
 
 #include "matrix.h"
 
-enum { TOGETHER = 4 }; ///< columns
+enum { TOGETHER = 4 }; ///< columns to which a reflection is applied at once
 
 /// Applies the reflection of column k of r to the rows from k on of `count` columns, at most TOGETHER. The reflection's
 /// vector has component k equal to 1, and below it the entries of the column.

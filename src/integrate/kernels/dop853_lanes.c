@@ -4,7 +4,8 @@
 // loaded once for these rows.
 #include "adaptive_lanes.inc"
 
-/// Vectors in the sums of slopes at a time: two; for a structure with its own loops, all.
+/// SUMMED_TOGETHER: vectors for which slopes are summed at a time. A structure with its own loops sums all of its
+/// vectors, at most MAX_TOGETHER.
 enum { SUMMED_TOGETHER = 2, MAX_TOGETHER = 4 };
 
 /// First rows of a set: of the state (set 0), or of a perturbation.

@@ -211,7 +211,7 @@ static void move_rows(const rk4_lanes *lanes, double *ensemble, size_t k, vec *o
     }
 }
 
-enum { MAX_AT_ONCE = 8 }; ///< vectors of pairs
+enum { MAX_AT_ONCE = 8 }; ///< most vectors of pairs that are carried together
 #include "../../rotor/pair_kernel.h"
 #include "rk4_pair.inc"
 

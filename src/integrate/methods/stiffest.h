@@ -1,5 +1,5 @@
-/// Search for the stiffest phase of a motion, where the balanced Jacobian is largest, and for what a step of a given
-/// length does there.
+/// Search for the stiffest phase of a motion, where the balanced Jacobian is largest, and the effect of a step of a
+/// given length there.
 #ifndef INTEGRATE_STIFFEST_H
 #define INTEGRATE_STIFFEST_H
 

@@ -323,10 +323,10 @@ static void look_closer(stepper *c, double *theta, size_t *which) {
     }
 }
 
-/// Finds the theta at which the step just tried must end; 0 is its beginning.
+/// Returns true if the step just tried must end at a switch, and writes the theta of this end (0: the step's beginning)
+/// and the switch.
 static bool meets_switch(stepper *c, double until, double *theta, size_t *which) {
-    // In a step as short as a few roundings of the time a crossing has no place: what the interpolant finds there is
-    // rounding.
+    // A step as short as a few roundings of the time cannot hold a crossing: a zero of its interpolant is rounding.
     const bool sliver = c->length <= 2.0 * DBL_EPSILON * fmax(fabs(c->begin), 1.0);
     if (c->system->switch_count == 0 || sliver || is_clear(c, c->begin + c->length >= until)) {
         if (c->observed && c->eager) stepper_interpolate(c);

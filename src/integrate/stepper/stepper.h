@@ -55,7 +55,7 @@ typedef struct stepper {
     double *at_switches; ///< [SWITCH_ROWS][switch_count] workspace
     size_t *mates;       ///< [dimension] as in adaptive_lanes
     size_t sliding_count;
-    int switchings;    ///< since the beginning of the revolution
+    int switchings;    ///< number of switches met since the beginning of the revolution
     bool crossed;      ///< the last step ended at a switch
     bool halts;        ///< steps by the tolerance end at instants of the revolution
     bool observed;     ///< the caller may use stepper_between after a step

@@ -17,8 +17,8 @@ typedef struct newton_problem {
     /// as their steps converge well, which saves a derivative.
     const double *nearby;
     const size_t *nearby_order;
-    /// NULL, or the part of F that the last step with a derivative from nearby left (1: unknown). If it promises
-    /// convergence, F is evaluated only together with its derivative.
+    /// NULL, or the factor by which the last step with a derivative from nearby reduced F (1: unknown). If it predicts
+    /// that the next step converges, F is evaluated only together with its derivative.
     double *share;
     const double *scale; ///< [count] units of u; NULL: 1
     double tolerance;    ///< largest size of F at a zero

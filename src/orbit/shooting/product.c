@@ -13,8 +13,8 @@
 #include "matrix.h"
 #include "whirl/engine/orbit.h"
 
-/// Rounds through all factors. Afterwards moduli that differ by a factor of two are separated to rounding. Moduli
-/// within a factor of 2^LIKE need not be separated.
+/// MAX_ROUNDS: rounds through all factors, after which moduli that differ by a factor of two are separated to rounding.
+/// Moduli within a factor of 2^LIKE need not be separated.
 enum { MAX_ROUNDS = 60, LIKE = 8 };
 
 typedef struct product {

@@ -13,8 +13,8 @@ bool rest_slope(shooting *s, const double *node, double *slope, bool derivatives
 /// Returns the largest row sum of the Jacobian.
 double rest_rate(const shooting *s);
 
-/// Returns the largest number of the slope [kept], divided by rate times size: by what a Jacobian of this rate makes of
-/// a coordinate of this size.
+/// Returns the largest number of the slope [kept], divided by rate times size, the slope that a coordinate of this size
+/// has through a Jacobian of this rate.
 double rest_size(const shooting *s, const double *slope, double size, double rate);
 
 #endif

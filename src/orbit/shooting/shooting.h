@@ -15,7 +15,7 @@ enum {
 /// segment back to the first node.
 typedef struct shooting {
     const whirl_system *system;
-    const whirl_system *first;         ///< machine for which it was made; outlives it
+    const whirl_system *first;         ///< machine for which the shooting was made; must outlive it
     whirl_integrate_options integrate; ///< options of a segment
     size_t dimension;
     size_t kept_count;              ///< coordinates that do not turn: the unknowns of a node

@@ -129,8 +129,9 @@ static bool images_at(torus_equations *e, double value, const double *u, double 
     return good;
 }
 
-/// Computes the derivative of the images by the parameter, by central differences. Their error is the square of 2^-12
-/// of the span: it costs Newton's method no step, and does not move its zeros.
+/// Computes the derivative of the images by the parameter, by central differences. The error of a difference is of the
+/// order of the square of its step, 2^-12 of the span. So small an error costs Newton's method no step, and does not
+/// move its zeros.
 static bool by_parameter(torus_equations *e, const double *u) {
     const size_t size = e->count * e->n;
     double *above = e->workspace, *below = above + size;

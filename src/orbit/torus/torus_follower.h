@@ -15,7 +15,7 @@ typedef struct torus_waypoint {
     size_t count;        ///< number of nodes
     double *u, *tangent; ///< unknowns, with space for the most nodes
     whirl_torus *torus;  ///< NULL: none was found
-    bool rough;          ///< one was found that is not accurate even with the most nodes
+    bool rough;          ///< true if a torus was found that is not accurate even with the most nodes
     double pace;         ///< curve_pace
 } torus_waypoint;
 

@@ -1,8 +1,8 @@
 // Fits a curve to the sections of a motion.
 //
 // Weighted Birkhoff averages of x exp(-2 pi i h rho m) over the sections m are the harmonics of the curve, if rho is
-// its rotation number (Das, Saiki, Sander, Yorke 2017). The average with h = 1 is largest at rho; if another harmonic
-// is the largest one, at a multiple of rho.
+// its rotation number (Das, Saiki, Sander, Yorke 2017). The average is largest at rho if the harmonic h = 1 is the
+// largest one, else at the multiple of rho that belongs to the largest harmonic.
 #include "torus_start.h"
 #include "harmonics.h"
 #include "section_map.h"
@@ -86,7 +86,7 @@ static double torus_start_average(cloud *c, double turns) {
     return square;
 }
 
-/// Returns where between two places the average is largest, by golden section.
+/// Returns the place between two others at which the average is largest, by golden section.
 static double largest_between(cloud *c, double low, double high) {
     const double share = 0.6180339887498949;
     double left = high - share * (high - low), right = low + share * (high - low);

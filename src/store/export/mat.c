@@ -207,8 +207,8 @@ static void meet_member(whirl_status *status, void *context, const char *name, h
     put_about(status, to, name, object);
 }
 
-/// Returns a group as a struct of its members, with its attributes in the member `attributes`. //
-/// NOLINTNEXTLINE(misc-no-recursion)
+/// Returns a group as a struct of its members; its attributes are in the member `attributes`.
+// NOLINTNEXTLINE(misc-no-recursion)
 static matvar_t *group_variable(whirl_status *status, mat_writer *writer, hid_t group) {
     mat_target to = {writer, new_group()};
     if (!to.group) no_memory(status);

@@ -43,7 +43,7 @@ static void put_parameters(FILE *out, const whirl_result *outline) {
 }
 
 /// Writes the facts that change points: the budget of refinement, which decides which points are computed, and a user's
-/// equations, which stand only in facts.
+/// equations, which only facts describe.
 static void put_facts(FILE *out, const whirl_result *outline) {
     for (size_t i = 0; i < outline->fact_count; ++i) {
         const whirl_fact *fact = &outline->facts[i];

@@ -59,7 +59,7 @@ void frame_head_put(unsigned char *to, const frame_head *head);
 unsigned char *frame_numbers_put(unsigned char *to, const double *from, size_t count);
 void frame_checksum_put(unsigned char *to, uint32_t sum);
 
-/// Reads the head of a frame, JOURNAL_HEAD bytes; returns false if they are none.
+/// Reads the head of a frame, JOURNAL_HEAD bytes; returns false if they are no head of a frame.
 bool frame_head_get(const unsigned char *from, frame_head *head);
 
 /// Reads the checksum at the end of a frame.

@@ -17,7 +17,7 @@ typedef struct journal_identity {
 /// State of a file's header.
 typedef enum header_state {
     HEADER_OURS,
-    HEADER_CUT,    ///< the file has only a beginning of our header: a run was killed while it made the journal
+    HEADER_CUT,    ///< the file ends within the header of this study: a run was killed while it made the journal
     HEADER_DAMAGED ///< the header is damaged, or there is none
 } header_state;
 
@@ -28,7 +28,8 @@ whirl_status journal_header_write(const journal_file *file, const journal_identi
 whirl_status journal_header_look(const journal_file *file, const journal_identity *identity, uint64_t file_size,
                                  header_state *state);
 
-/// Returns where the header of a journal of any study ends; 0 if the file is none, or its header is damaged.
+/// Returns the offset of the end of the header in a journal of any study; 0 if the file is no journal, or its header is
+/// damaged.
 uint64_t journal_header_end(const journal_file *file, uint64_t file_size);
 
 /// Returns the failure "PATH is no journal of this study, or its beginning is damaged".

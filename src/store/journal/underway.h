@@ -1,9 +1,9 @@
 /// States of unfinished points, in files JOURNAL-N next to the journal. Each thread replaces its own file as a whole
 /// every few seconds.
 ///
-/// A state stays valid for its point, so that files remain until the end of the run; of several states of a point that
-/// with the most revolutions counts. Files consist of frames as in the journal, whose payload begins with the number of
-/// revolutions done.
+/// A state stays valid for its point, so that files remain until the end of the run. If a point has several states, the
+/// one with the most revolutions is used. Files consist of frames as in the journal, whose payload begins with the
+/// number of revolutions done.
 #ifndef STORE_UNDERWAY_H
 #define STORE_UNDERWAY_H
 
