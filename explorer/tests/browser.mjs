@@ -1,4 +1,5 @@
-// Shared by the tests in a browser: the page of a small run, opened from disk in Chromium, and its errors.
+// Functions that the browser tests share: they make the page of a small run, open it from disk in Chromium, and collect
+// its errors.
 //
 //   tests/run.sh WHIRL TEMPLATE
 import assert from 'node:assert/strict';
@@ -18,7 +19,8 @@ const program = process.env.CHROMIUM ?? '/usr/bin/chromium-headless-shell';
 
 export const CASE = readFileSync(new URL('./rub.yaml', import.meta.url), 'utf8');
 
-/// A wheel at the end of a shaft, in two bearings with these keys, and a study about where it rests.
+/// Returns a case: a wheel with the keys `wheel` at the end of a shaft, a rear bearing with the keys `rear`, and a
+/// study of the machine at rest.
 export const fan = (rear, wheel, study, parameters = '') => `whirl: 1
 title: A fan
 parameters: {omega: 1500 rpm${parameters}}
@@ -36,20 +38,20 @@ study:
   ${study}
 `;
 
-/// A folder that goes away with the process.
+/// A temporary folder, removed when the process exits.
 export const folder = mkdtempSync(join(tmpdir(), 'whirl-explorer-'));
 process.on('exit', () => rmSync(folder, { recursive: true, force: true }));
 
-/// Runs the command; its standard output.
+/// Runs the command whirl; returns its standard output.
 export function command(...words) {
   return execFileSync(whirl, words, { cwd: folder, encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
 }
 
-/// Runs a case and makes its page; the address of the page.
+/// Runs a case and makes its page; returns the address of the page.
 export function makePage(name, text) {
   writeFileSync(join(folder, `${name}.yaml`), text);
   command('run', `${name}.yaml`, '-q', '-o', `${name}.h5`);
-  // No figures are wanted: `true` stands for gnuplot.
+  // Replace gnuplot by the program `true`: the tests need no figures.
   try {
     command('report', `${name}.h5`, '-o', name, '-q', '--gnuplot', 'true', '--explorer', template);
   } catch (failure) {
@@ -89,14 +91,14 @@ export async function closeBrowser() {
   await browser?.close();
 }
 
-/// The verdict of a pane once a whole computation (no quick look) is there.
+/// Waits until a pane shows a whole computation, not a preview; returns the verdict.
 export async function settled(page, side = 'a') {
-  // The page draws its last change with the next frame.
+  // Wait for the next frame, in which the page draws its last change.
   await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
   await page.waitForFunction(
     (name) => {
       const pane = document.querySelector(`.pane-${name}`);
-      const how = pane?.querySelector('.how').textContent; // nothing while the engine wakes
+      const how = pane?.querySelector('.how').textContent; // empty while the engine starts
       return pane && !pane.classList.contains('busy') && /revolutions by/.test(how) && !/quick look/.test(how);
     },
     side,
@@ -115,9 +117,9 @@ export async function brush(page, from, to, card = '.map-card') {
   await page.mouse.up();
 }
 
-/// Presses an item of a panel's menu and gives what is downloaded, as text, with its name.
+/// Presses an item of a panel's menu; returns the name and the bytes of the downloaded file.
 export async function saved(page, panel, kind) {
-  await page.waitForTimeout(120); // Chromium drops what a page saves beyond ten files a second.
+  await page.waitForTimeout(120); // Chromium drops downloads beyond ten a second
   await page.click(`${panel} .menu summary`);
   const [file] = await Promise.all([page.waitForEvent('download'), page.click(`${panel} [data-save="${kind}"]`)]);
   return { name: file.suggestedFilename(), bytes: readFileSync(await file.path()) };
@@ -136,6 +138,6 @@ export async function axeFindings(page, exclude = []) {
   );
 }
 
-/// By how many pixels the page is wider than its window.
+/// Returns by how many pixels the page is wider than its window.
 export const beyondWindow = (page) =>
   page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);

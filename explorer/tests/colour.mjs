@@ -1,7 +1,7 @@
-// Colours as readers with other colour vision see them, and the distance of two colours.
+// Simulates how readers with other colour vision see colours, and computes the distance of two colours.
 //
 // Dichromats: G. M. Machado, M. M. Oliveira, L. A. F. Fernandes, A Physiologically-based Model for Simulation of Color
-// Vision Deficiency, IEEE Trans. Vis. Comput. Graph. 15 (2009) 1291, severity 1.0, which take linear RGB. Distance:
+// Vision Deficiency, IEEE Trans. Vis. Comput. Graph. 15 (2009) 1291, matrices of severity 1.0 for linear RGB. Distance:
 // CIEDE2000 with all weights 1, D65.
 export const VISIONS = {
   ordinary: [
@@ -37,7 +37,7 @@ const WHITE = [0.95047, 1, 1.08883];
 const times = (matrix, vector) => matrix.map((row) => row.reduce((sum, weight, i) => sum + weight * vector[i], 0));
 const radians = (degrees) => (degrees * Math.PI) / 180;
 
-/// "#rrggbb" in linear RGB, 0 to 1.
+/// Converts "#rrggbb" to linear RGB, 0 to 1.
 export function linearOf(colour) {
   return [1, 3, 5].map((at) => {
     const value = Number.parseInt(colour.slice(at, at + 2), 16) / 255;
@@ -45,7 +45,7 @@ export function linearOf(colour) {
   });
 }
 
-/// L*, a*, b* of "#rrggbb" as that vision sees it.
+/// Returns L*, a*, b* of "#rrggbb" as seen with a kind of colour vision (VISIONS).
 export function labOf(colour, vision = 'ordinary') {
   const seen = times(VISIONS[vision], linearOf(colour)).map((value) => Math.min(1, Math.max(0, value)));
   const [x, y, z] = times(XYZ, seen).map((value, i) => {
@@ -55,7 +55,7 @@ export function labOf(colour, vision = 'ordinary') {
   return [116 * y - 16, 500 * (x - y), 200 * (y - z)];
 }
 
-/// CIEDE2000 of two colours in L*a*b*.
+/// Returns the CIEDE2000 distance of two colours in L*a*b*.
 export function distance([L1, a1, b1], [L2, a2, b2]) {
   const high = (chroma) => Math.sqrt(chroma ** 7 / (chroma ** 7 + 25 ** 7));
   const stretch = 1 + 0.5 * (1 - high((Math.hypot(a1, b1) + Math.hypot(a2, b2)) / 2));
@@ -75,7 +75,7 @@ export function distance([L1, a1, b1], [L2, a2, b2]) {
   return Math.sqrt((dL / SL) ** 2 + (dC / SC) ** 2 + (dH / SH) ** 2 + RT * (dC / SC) * (dH / SH));
 }
 
-/// Contrast of two colours after WCAG 2, 1 to 21.
+/// Returns the contrast of two colours after WCAG 2, 1 to 21.
 export function contrast(one, other) {
   const [low, high] = [one, other].map((colour) => times(XYZ, linearOf(colour))[1]).sort((a, b) => a - b);
   return (high + 0.05) / (low + 0.05);

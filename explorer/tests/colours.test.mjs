@@ -1,10 +1,10 @@
-// The colours of regimes: distinct for readers of any colour vision, and the same in page and report.
+// Tests the colours of regimes: readers with any colour vision can distinguish them, and page and report have the same.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { contrast, distance, labOf, VISIONS } from './colour.mjs';
 
-/// CIEDE2000 that any two regimes keep, and that each keeps from the paper.
+/// Least CIEDE2000 distance of any two regimes, and of each regime from the background (paper).
 const APART = 16;
 
 const read = (path) => readFileSync(new URL(path, import.meta.url), 'utf8');

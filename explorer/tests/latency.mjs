@@ -1,8 +1,8 @@
-// Times for which the reader waits:  WHIRL=... TEMPLATE=... node tests/latency.mjs PAGE.html
+// Measures how long the user waits:  WHIRL=... TEMPLATE=... node tests/latency.mjs PAGE.html
 //
-// Milliseconds in Chromium and Firefox, of a page opened from disk: until the stored diagram stands; until the pictures
-// of a value are there that a slider was moved to; until a new diagram shows its first points. Median and worst of all
-// tries; a picture counts when the frame that has it was drawn.
+// It prints milliseconds in Chromium and Firefox, for a page opened from disk: until the stored diagram is drawn; from
+// the move of a slider until the pictures of the new value are drawn; until a new diagram shows its first points. For
+// each it prints the median and the largest of all tries, up to the end of the frame in which the picture is drawn.
 import { resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import puppeteer from 'puppeteer-core';
@@ -11,7 +11,7 @@ const address = pathToFileURL(resolve(process.argv[2])).href;
 const TRIES = 15;
 const viewport = { width: 1280, height: 860 };
 
-/// In the page: from a deed to the frame after `done` holds.
+/// In the page: returns the time from an action (`deed`) to the end of the frame in which `done` returns true.
 function timed(deed, done) {
   return new Promise((answer) => {
     const began = performance.now();
@@ -21,7 +21,7 @@ function timed(deed, done) {
   });
 }
 
-/// In the page: moves a slider to a share of its way and waits for pictures of that value.
+/// In the page: moves a slider to a share of its range and waits for pictures of that value.
 async function slide(label, share) {
   const slider = document.querySelector(`input[aria-label="${label}"]`);
   const orbit = document.querySelector('.pane-a .panel-orbit canvas');
@@ -35,7 +35,7 @@ async function slide(label, share) {
   return window.timed(move, () => text() !== before && /revolutions by/.test(text()) && orbit.toDataURL() !== picture);
 }
 
-/// In the page: asks for a new diagram and waits for its first points.
+/// In the page: requests a new diagram and waits for its first points.
 async function recompute() {
   const canvas = document.querySelector('.map-main canvas');
   const before = canvas.toDataURL();
@@ -77,7 +77,7 @@ async function measure(name, options) {
   console.log(`${name}: the stored diagram stands after ${summary(opened)}`);
   await settled(page);
   await page.evaluate(`window.timed = ${timed}`);
-  // The parameter along the diagram, and the next one.
+  // Move the sliders of the parameter along the diagram and of the next parameter.
   const labels = await page.$$eval('input[aria-label$=", slider"]', (all) =>
     all.slice(0, 2).map((slider) => slider.getAttribute('aria-label')),
   );
@@ -85,7 +85,7 @@ async function measure(name, options) {
     const slid = [];
     for (let i = 0; i < TRIES; i++) {
       slid.push(await page.evaluate(slide, label, 0.3 + 0.02 * i));
-      // The hand rests, and the whole motion takes the quick look's place.
+      // Release the slider; the whole motion replaces the preview.
       await page.$eval(`input[aria-label="${label}"]`, (slider) =>
         slider.dispatchEvent(new Event('change', { bubbles: true })),
       );

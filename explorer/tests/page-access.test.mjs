@@ -1,4 +1,4 @@
-// Explorer and report as axe-core sees them: names, roles, contrast, order of headings, in the light and in the dark.
+// Tests explorer and report with axe-core: names, roles, contrast, order of headings, in the light and the dark theme.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { axeFindings, CASE, closeBrowser, makePage, open, settled } from './browser.mjs';

@@ -1,11 +1,13 @@
-// All of a lateral result in one page: what `whirl show --json` and `whirl figure` have of every table, word for word.
+// Tests that one page shows all of a lateral result: the findings of `whirl show --json` and the figures of `whirl
+// figure` for every table, word for word.
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { axeFindings, beyondWindow, closeBrowser, command, folder, makePage, open, saved } from './browser.mjs';
 
-// The last stations alone have probes; `response` is a motion that the page computes, `motions` are not.
+// Only the last stations have probes. The page computes the motion of `response`; it does not compute those of
+// `motions`.
 const COMPRESSOR = `whirl: 1
 title: A small compressor
 parameters: {omega: 3000 rpm, c: 2 kN.s/m}
@@ -54,7 +56,7 @@ async function opened(hash = '', options = {}) {
   return made;
 }
 
-/// Goes to every part in turn.
+/// Opens every part of the result in turn.
 async function everyPart(page, look) {
   const count = await page.locator(PARTS).count();
   for (let i = 0; i < count; i++) {
@@ -131,11 +133,11 @@ test('the page begins with the drawing of this machine alone; live views begin a
     'right',
   );
   await page.waitForFunction(() => /part=unbalance_high/.test(location.hash));
-  // The numbers are of that condition.
+  // The live view shows the numbers of that condition.
   const csv = (await saved(page, '.rest .map-card:not([hidden])', 'csv')).bytes.toString('utf8').trim().split(/\r?\n/);
   const largest = Math.max(...csv.slice(1).map((line) => Number(line.split(',').at(-1))));
   const sheet = reported.sheets.find(({ table, name }) => table === 'unbalance_high' && name === 'largest');
-  const [, peak] = sheet.rows.find(([station]) => station === 'right'); // m, and the page has um
+  const [, peak] = sheet.rows.find(([station]) => station === 'right'); // m; the page shows um
   assert.ok(Math.abs(1e-6 * largest - peak) <= 1e-4 * peak, `${largest} um, expected ${peak} m`);
   await page.keyboard.press('Control+z');
   await page.waitForFunction(() => !/part=/.test(location.hash));
@@ -188,7 +190,7 @@ test('the drawing is a map: a click or a key on a station selects it in all view
     'disc',
     'right',
   ]);
-  assert.deepEqual(await pressed(), ['right']); // the first with a probe
+  assert.deepEqual(await pressed(), ['right']); // the first station with a probe
   await spot('disc').click();
   await page.waitForFunction(() => /st=disc/.test(location.hash));
   assert.deepEqual(await pressed(), ['disc']);
@@ -202,7 +204,7 @@ test('the drawing is a map: a click or a key on a station selects it in all view
     await page.$eval('.rest .map-card:not([hidden]) select', (list) => list.selectedOptions[0].textContent),
     'left',
   );
-  // The saved file has the drawing alone.
+  // The saved file contains the drawing without its hot spots.
   await page.click(`${PARTS} >> nth=0`);
   const svg = (await saved(page, '[data-figure="rotor"]', 'svg')).bytes.toString('utf8');
   assert.ok(svg.includes('<svg') && !svg.includes('spot'), 'no button in the file');
@@ -212,13 +214,13 @@ test('the drawing is a map: a click or a key on a station selects it in all view
 
 test('marks at the ends of a sweep are drawn whole', async () => {
   const { page, close } = await opened('#part=modes_low');
-  // In figures: no mark is within what is cut at the frame.
+  // In figures, marks are not among the parts that are clipped at the frame.
   const cut = await page.$$eval(
     '[data-figure^="campbell"] svg',
     (all) => all.flatMap((svg) => [...svg.querySelectorAll('[clip-path] circle')]).length,
   );
   assert.equal(cut, 0);
-  // In the live view: the mark of the first point has colour on both sides of the frame's left edge.
+  // In the live view, the mark of the first point extends over the frame's left edge and is not clipped.
   const svg = (await saved(page, '.rest .map-card:not([hidden])', 'svg')).bytes.toString('utf8');
   const found = await page.evaluate((text) => {
     const host = document.body.appendChild(document.createElement('div'));
@@ -249,7 +251,7 @@ for (const [colorScheme, width] of [
     await everyPart(page, async (part) => {
       assert.equal(await beyondWindow(page), 0, part);
       if (!/machine|modes_low/.test(part)) return;
-      // Drawings have thousands of parts, which nobody reads by a program.
+      // Exclude drawings, which have thousands of parts that screen readers do not read.
       assert.deepEqual(await axeFindings(page, ['svg']), [], part);
     });
     assert.deepEqual(complaints, []);

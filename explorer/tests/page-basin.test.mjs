@@ -1,11 +1,11 @@
-// Basins in the explorer: attractors with their shares as the command tells them, and lines where they meet.
+// Tests basins in the explorer: attractors with the shares that the command reports, and the borders between them.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { closeBrowser, command, folder, makePage, open, saved, settled } from './browser.mjs';
 
-// A start within the gap comes to rest, one far beyond it is thrown out by dry friction.
+// A motion that starts within the gap settles; one that starts far beyond it diverges by dry friction.
 const CASE = `whirl: 1
 title: A Jeffcott rotor that rubs, and where it begins
 parameters: {x0: 0, y0: 0}

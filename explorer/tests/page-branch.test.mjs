@@ -1,5 +1,5 @@
-// Branches of orbits in the explorer: lines and marks over the diagram, and the orbit under the cursor, stable or not,
-// with values as the result has them.
+// Tests branches of orbits in the explorer: lines and marks over the diagram, and the orbit under the cursor, stable or
+// not, with the values of the result.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -35,7 +35,7 @@ before(() => {
 });
 after(closeBrowser);
 
-/// The values of special points, as the command shows them, by their kinds.
+/// Returns the parameter values of the special points of a kind, as the command shows them.
 function shown(kind) {
   return command('show', 'alone.h5')
     .split('\n')
@@ -71,14 +71,14 @@ test('branches lie over the section of a sweep, and stand alone', { timeout: 300
 
 // ---------------------------------------------------------------- the orbit under the cursor
 
-/// Rows of CSV as objects by their headings.
+/// Returns the rows of a CSV text as objects with the headings as keys.
 function rowsOf(text) {
   const [heading, ...lines] = text.trim().split(/\r?\n/);
   const names = heading.split(',');
   return lines.map((line) => Object.fromEntries(line.split(',').map((cell, i) => [names[i], Number(cell)])));
 }
 
-/// Returns the branches of the result: points, with the fields of several rows.
+/// Returns the points of the result's branches; `section` and `multipliers` of a point return fields of several rows.
 function stored() {
   command('export', 'beside.h5', '--csv', 'csv', '--force');
   const read = (name) => rowsOf(readFileSync(join(folder, 'csv', name), 'utf8'));
@@ -91,7 +91,7 @@ function stored() {
   }));
 }
 
-/// The middle of a stretch of unstable orbits of so many revolutions.
+/// Returns the middle one of the unstable orbits with a number of revolutions.
 function unstableOf(points, revolutions) {
   const all = points.filter(
     (point) => point['trace/unstable [1]'] > 0 && point['trace/revolutions [revolution]'] === revolutions,
@@ -100,7 +100,7 @@ function unstableOf(points, revolutions) {
   return all[Math.floor(all.length / 2)];
 }
 
-/// Returns the places of the rings of setting A on the screen.
+/// Returns the positions on the screen of the rings of setting A.
 async function ringsOf(page) {
   await page.waitForSelector('.orbit-mark.side-a');
   return page.evaluate(() =>
@@ -140,7 +140,7 @@ async function expectOrbit(page, point) {
   near(number('Y'), span('y'));
   assert.equal(number('outside'), unstable);
   const csv = async (panel) => (await saved(page, `.pane-a .panel-${panel}`, 'csv')).bytes.toString('utf8');
-  // The path: within its bounds, and nearly as far as they are; at its end back where it began.
+  // The path stays within the bounds of the orbit, nearly reaches them, and ends where it began.
   const path = rowsOf(await csv('orbit'));
   const section = point.section();
   for (const axis of ['x', 'y']) {
@@ -150,7 +150,7 @@ async function expectOrbit(page, point) {
     assert.ok(Math.max(...along) - Math.min(...along) > 0.99 * (high - low));
     near(along.at(-1), section[0][`${axis} [m]`]);
   }
-  // The map: of every revolution its mark, as often as the record goes round.
+  // The Poincare map has the mark of every revolution, repeated over the record.
   const marks = rowsOf(await csv('poincare'));
   assert.ok(marks.length >= 32 && marks.length % revolutions === 0);
   marks.forEach((mark, i) => {
@@ -171,14 +171,14 @@ test('near a branch the cursor takes its orbit, stable or not', { timeout: 300_0
     await orbitShown(page, point.row);
     const rings = await ringsOf(page);
     assert.equal(rings.length, revolutions);
-    // Elsewhere the motion is shown as ever.
+    // A click far from the branch shows the motion.
     const box = await (await page.$('.map-main .overlay')).boundingBox();
     const [x, y] = rings[0];
     await page.mouse.click(x, y > box.y + 60 ? box.y + 20 : box.y + box.height - 60);
     await settled(page);
     await page.waitForFunction(() => !location.hash.includes('orbit='));
     assert.ok(await page.isHidden('.pane-a .panel-multipliers'));
-    // Over the line it says which orbit a click takes.
+    // With the pointer over the line, the hint names the orbit that a click selects.
     await page.mouse.move(x, y);
     await page.waitForSelector('.orbit-hint:not([hidden])');
     const hint = await page.textContent('.orbit-hint');
@@ -213,7 +213,7 @@ test(
     await orbitShown(page, point.row);
     const spoken = await page.getAttribute('.map-main .overlay', 'aria-valuetext');
     assert.match(spoken, /branch \d+: P-1, unstable/);
-    // Each branch at this value in turn, then the motion.
+    // The key O selects each branch at this value in turn, then the motion.
     const seen = [];
     for (let i = 0; i < 12; i++) {
       const before = page.url();
@@ -225,7 +225,7 @@ test(
     }
     assert.ok(seen.length < 12 && new Set(seen).size === seen.length);
     await settled(page);
-    // Beside it, and back by the browser.
+    // The address selects the orbit again, and a comparison shows it as setting B.
     await page.evaluate((row) => (location.hash = `#orbit=${row}`), point.row);
     await orbitShown(page, point.row);
     await page.click('text=A | B');

@@ -1,4 +1,4 @@
-// Computations that the user of the explorer starts, in a real Chromium.
+// Tests computations that the user of the explorer starts, in a real Chromium.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { brush, CASE, closeBrowser, makePage, open, settled } from './browser.mjs';

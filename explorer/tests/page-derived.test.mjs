@@ -1,10 +1,10 @@
-// Parameters that follow from others: locked, set by hand, and let go again.
+// Tests parameters that follow from others: they are locked, can be set by hand, and can be reset to their expression.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import { CASE, closeBrowser, makePage, open, settled } from './browser.mjs';
 
-/// At 3.8 rad/s and mu 0.05 the machine of the case.
+/// A case with derived parameters that is the machine of CASE at 3.8 rad/s and mu = 0.05.
 const DERIVED = CASE.replace(/kappa: +10 /, 'kappa:     = 200*mu ')
   .replace(/(mu: .*\n)/, '$1  g:         = omega/7.6            # gravity\n')
   .replace('gravity: 0.5 m/s2', 'gravity: = g')
@@ -40,7 +40,7 @@ test('a derived parameter follows until one asks to set it, and again when that 
   await shows(page, 'kappa', 12);
   await shows(page, 'g', 0.5);
   await type(page, '#value-a', '1.9');
-  await shows(page, 'g', 0.25); // from the value along the diagram
+  await shows(page, 'g', 0.25); // follows from the value along the diagram
   await settled(page);
   assert.doesNotMatch(await hash(page), /kappa|g=/);
   await page.click('button[aria-label="Set kappa by hand"]');
@@ -60,7 +60,7 @@ test('a derived parameter follows until one asks to set it, and again when that 
   // A parameter that follows from others stays an expression in the saved case.
   const [file] = await Promise.all([page.waitForEvent('download'), page.click('[data-save="case"]')]);
   assert.match(readFileSync(await file.path(), 'utf8'), /kappa: +(=|'=) 200\*mu/);
-  // Along the diagram it is set by the cursor.
+  // The parameter along the diagram has the value of the cursor, so it is not locked.
   await page.selectOption('select[aria-label="Parameter along the diagram"]', 'kappa');
   await page.waitForFunction(() => !document.querySelector('#parameter-kappa').readOnly);
   assert.deepEqual(complaints, []);

@@ -1,4 +1,4 @@
-// Diagrams that are computed in the page: coarse to fine, and no verdict that a longer run takes back.
+// Tests diagrams that the page computes: coarse to fine, and without a verdict that a longer run would change.
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -6,7 +6,7 @@ import { after, before, test } from 'node:test';
 import { build } from 'esbuild';
 import { CASE, closeBrowser, command, folder, makePage, open, saved, settled } from './browser.mjs';
 
-/// Longer and finer than a quick look.
+/// A case with longer motions and finer steps than a preview.
 const LONG = CASE.replace('points: 61', 'points: 64').replace(
   'steps_per_revolution: 256, transient: 300',
   'steps_per_revolution: 512, transient: 600',
@@ -18,7 +18,7 @@ before(() => {
 });
 after(closeBrowser);
 
-/// The points of a case by the kernels of 128 bits, whose bits are the page's.
+/// Returns the points of a case, computed by the kernels of 128 bits, which give the bits of the page.
 function pointsOf(file) {
   process.env.WHIRL_ISA = 'simd128';
   try {
@@ -28,7 +28,7 @@ function pointsOf(file) {
   }
 }
 
-/// Notes with every frame from the click on what the card of the diagram says, and whether dots are drawn.
+/// Records, in every frame after the click, the text of the diagram's card and whether dots are drawn.
 async function watchFrames(page) {
   await page.evaluate(() => {
     const canvas = document.querySelector('.map-main canvas');
@@ -206,6 +206,6 @@ test('the weakest evidence goes first', async () => {
     number: (point) => agreement[point],
     exponent: (point) => ({ value: exponent[point] }),
   };
-  // Point 5 is not known at all, point 4 has its verdict.
+  // Point 5 is not computed, point 4 has its final verdict.
   assert.deepEqual(doubtfulFirst(diagram, [0, 1, 2, 3, 4, 5]), [5, 1, 3, 2, 0]);
 });

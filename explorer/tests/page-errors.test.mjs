@@ -1,4 +1,4 @@
-// Errors in the words of the page: the control, what was found and what is expected, and no place of a file.
+// Tests error messages of the page: they name the control, what was found and what is expected, not a place in a file.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { CASE, closeBrowser, makePage, open, settled } from './browser.mjs';
@@ -17,7 +17,8 @@ async function type(page, field, text) {
   await page.press(field, 'Enter');
 }
 
-/// The sentence beside the parameters, which names no place of a file.
+/// Waits for a message next to the parameters that begins with `starts`, checks that it names no place in a file, and
+/// returns it.
 async function problemOf(page, starts) {
   await page.waitForFunction(
     (start) => document.querySelector('.settings-card .trouble').textContent.startsWith(start),

@@ -1,4 +1,4 @@
-// Results without a live view: their figures as the library describes them, drawn by the page.
+// Tests results without a live view: the page draws their figures from the library's descriptions.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { closeBrowser, command, fan, folder, makePage, open, saved } from './browser.mjs';

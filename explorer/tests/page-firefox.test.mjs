@@ -1,4 +1,5 @@
-// The page in Firefox, driven over WebDriver BiDi: it opens, follows a drag, recomputes, saves, takes back.
+// Tests the page in Firefox, driven over WebDriver BiDi: it opens, follows a drag, recomputes, saves, and undoes
+// changes.
 import assert from 'node:assert/strict';
 import { readFileSync, existsSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -32,7 +33,7 @@ after(() => browser?.close());
 const wait = (test, ...words) => page.waitForFunction(test, { timeout: 60_000 }, ...words);
 const textOf = (selector) => page.$eval(selector, (element) => element.textContent);
 
-/// The verdict once a whole computation is there for a value.
+/// Waits for a whole computation at a value between two bounds; returns the verdict.
 async function settled(low, high) {
   await wait(
     (from, to) => {

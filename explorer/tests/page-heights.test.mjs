@@ -1,4 +1,5 @@
-// Heights of the charts over a parameter: enlarged by wheel, rectangle, keys and fingers; the axis says which.
+// Tests the vertical ranges (heights) of charts over a parameter: wheel, rectangle, keys and fingers enlarge them; the
+// labels of the axis show the range.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { CASE, closeBrowser, fan, makePage, open, saved, settled } from './browser.mjs';
@@ -17,8 +18,8 @@ after(closeBrowser);
 const frame = (page) =>
   page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 
-/// Returns the value of the vertical axis of the upper or lower chart at a distance from the top of its plotting area,
-/// in pixels.
+/// Reads the ticks of the vertical axis of the upper or lower chart; returns a function from a distance in pixels below
+/// the top of the plotting area to the value there.
 async function axis(page, card, chart = 'main') {
   await frame(page);
   const svg = (await saved(page, card, 'svg')).bytes.toString('utf8');
@@ -52,7 +53,7 @@ function near(found, expected, most, what) {
   assert.ok(Math.abs(found - expected) <= most, `${what}: ${found}, expected ${expected}`);
 }
 
-/// Tolerance: one pixel of the whole height of a chart.
+/// Returns the tolerance of a height: one pixel of the chart's whole vertical range.
 const pixel = (at, { height }) => Math.abs(at(0) - at(height)) / height;
 
 async function fanPage(options) {
@@ -77,7 +78,7 @@ test('the wheel over the axis, or with Shift, enlarges heights about the pointer
   const box = await boxOf(page, card);
   const top = 0.25 * box.height;
   await page.mouse.move(box.x - 20, box.y + top);
-  await page.mouse.wheel(0, -60); // above the page there is nothing to scroll to
+  await page.mouse.wheel(0, -60); // the page is at its top and cannot scroll further up
   assert.equal((await axis(page, card))(0), whole(0), 'it waits until the diagram is in use');
   await page.focus(`${card} .map-main .overlay`);
   await page.mouse.move(box.x - 20, box.y + top);
@@ -96,7 +97,7 @@ test('the wheel over the axis, or with Shift, enlarges heights about the pointer
   assert.equal((await axis(page, card, 'exponent'))(0), below(0), 'and so does the other picture');
   await page.mouse.dblclick(box.x + 0.5 * box.width, box.y + top);
   assert.equal((await axis(page, card))(0), whole(0), 'a double click shows all of them');
-  // Heights of another quantity are all of its own.
+  // After another quantity is chosen, its whole vertical range is shown.
   await page.press(`${card} .map-main .overlay`, 'v');
   assert.ok((await axis(page, card))(0) < whole(0));
   await page.selectOption('select[aria-label="What the diagram shows"]', 'radius');
@@ -131,7 +132,7 @@ test('a drag encloses a rectangle, a range or heights alone; Back returns', asyn
   assert.deepEqual(await view(page, CARD), [100, 6100]);
   await drag(page, box, [0.25, 0.5], [0.5, 0.53]);
   near((await view(page, CARD))[1], 3100, 20, 'a level drag is a range');
-  // Of the lags, whose labels stand at right angles as long as two of these are seen.
+  // Enlarge the lags, whose ticks are at multiples of 90 degrees as long as two of these are visible.
   const lower = await boxOf(page, CARD, 'exponent');
   const lags = await axis(page, CARD, 'exponent');
   await drag(page, lower, [0.5, 0.3], [0.5, 0.7]);

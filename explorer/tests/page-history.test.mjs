@@ -1,4 +1,4 @@
-// Undo, redo and the browser's Back and Forward.
+// Tests undo, redo and the browser's Back and Forward.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { brush, CASE, closeBrowser, makePage, open, settled } from './browser.mjs';
@@ -30,7 +30,7 @@ test('Ctrl+Z takes back, Ctrl+Shift+Z and Ctrl+Y do again', async () => {
   await hashHas(page, 'units=');
   const reason = await page.textContent('.pane-a .reason');
   const began = await page.evaluate(() => history.length);
-  await page.keyboard.press('Control+z'); // nothing to take back
+  await page.keyboard.press('Control+z'); // there is nothing to undo
   await set(page, 'mu', 0.2);
   await set(page, 'e', 0.8);
   await page.selectOption('select[aria-label="What the diagram shows"]', 'radius');
@@ -47,13 +47,13 @@ test('Ctrl+Z takes back, Ctrl+Shift+Z and Ctrl+Y do again', async () => {
   await settled(page);
   assert.equal(await page.textContent('.pane-a .verdict'), first);
   assert.equal(await page.textContent('.pane-a .reason'), reason);
-  await page.keyboard.press('Control+z'); // further back there is nothing
+  await page.keyboard.press('Control+z'); // there is nothing more to undo
   assert.match(page.url(), /^file:/);
   await page.keyboard.press('Control+Shift+z');
   await field(page, 'parameter-mu', 0.2);
   await page.keyboard.press('Control+y');
   await field(page, 'parameter-e', 0.8);
-  // A new change ends the way forward.
+  // A new change removes the entries that redo could restore.
   await hashHas(page, 'e=0.8');
   await set(page, 'kappa', 12);
   await page.keyboard.press('Control+y');
@@ -73,13 +73,13 @@ test('a drag is one step, and Back and Forward of the browser go by steps', asyn
   await page.mouse.down();
   for (let i = 0; i < 4; i++) {
     await page.mouse.move(box.x + box.width * (0.3 + 0.05 * i), box.y + 60, { steps: 3 });
-    await page.waitForTimeout(400); // longer than the address waits
+    await page.waitForTimeout(400); // longer than the delay before the address is written
   }
   await page.mouse.up();
   await hashLacks(page, 'at=3.8');
   const dragged = await page.inputValue('#value-a');
   for (let i = 0; i < 5; i++) await page.keyboard.press('ArrowRight'); // the diagram has the focus
-  const moved = Number(dragged) + (5 * 3) / 200; // five steps of a two hundredth of the range
+  const moved = Number(dragged) + (5 * 3) / 200; // five steps, each 1/200 of the range of 3
   await page.waitForFunction(
     (value) => Math.abs(Number(new URLSearchParams(location.hash.slice(1)).get('at')) - value) < 1e-3,
     moved,

@@ -1,5 +1,5 @@
-// Large diagrams: how long they take to appear and to be redrawn. The times are printed; what is asserted leaves room
-// for a computer that does other things.
+// Tests how long large diagrams take to appear and to be redrawn. The times are printed; the asserted bounds are wide,
+// as the computer may be busy.
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -11,7 +11,8 @@ after(closeBrowser);
 
 const base64 = (array) => Buffer.from(array.buffer).toString('base64');
 
-/// A page with a run of `points` x `rows` dots of a noisy logistic map, without a case: nothing is computed.
+/// Writes a page with a run of `points` x `rows` dots of a noisy logistic map; without a case the page computes
+/// nothing.
 function largePage(points, rows) {
   const values = Float64Array.from({ length: points }, (_, i) => 2.8 + (1.2 * i) / (points - 1));
   const section = new Float32Array(2 * points * rows);
@@ -66,7 +67,7 @@ function largePage(points, rows) {
     ],
   };
   const path = join(folder, `large-${points}.html`);
-  // Without the engine's parts: what is measured is the drawing.
+  // Leave out the engine's parts, as only drawing is measured.
   const page = readFileSync(template, 'utf8')
     .replace(/(id="whirl-(worker|core)">)[^<]*/g, '$1')
     .replace('@WHIRL-RUNS@', () => JSON.stringify([run]));
@@ -74,7 +75,7 @@ function largePage(points, rows) {
   return pathToFileURL(path).href;
 }
 
-/// A page with a map of `side` x `side` cells: stripes of P-1 to P-4 with a disc of chaos.
+/// Writes a page with a map of `side` x `side` cells: stripes of P-1 to P-4 with a disc of chaos.
 function largeMap(side) {
   const axis = Float64Array.from({ length: side }, (_, i) => 1 + i / (side - 1));
   const cells = { length: side * side };
@@ -141,13 +142,13 @@ test('a map of a million cells appears, and each of them can be seen', { timeout
   const { page, complaints, close } = await open(address);
   await page.waitForSelector(`${card} .legend-entry`, { timeout: 60_000 });
   const first = Date.now() - began;
-  // Every kind has as many cells as were made.
+  // The legend counts the chaotic cells that were made.
   let chaotic = 0;
   for (let cell = 0; cell < side * side; cell++)
     chaotic += Math.hypot((cell % side) / side - 0.5, Math.floor(cell / side) / side - 0.5) < 0.3;
   const entries = await page.$$eval(`${card} .legend-entry`, (all) => all.map(({ textContent }) => textContent));
   assert.ok(entries.includes(`chaotic ${chaotic}`), entries.join());
-  // The wheel goes to single cells: what is told of three neighbours is what was made.
+  // The wheel zooms to single cells; the page describes neighbouring cells as they were made.
   const overlay = await page.$(`${card} .overlay`);
   await overlay.focus();
   const box = await overlay.boundingBox();
@@ -184,7 +185,7 @@ for (const [points, rows, most] of [
 ])
   test(`${points} x ${rows} points appear, and zoom`, async (context) => {
     const address = largePage(points, rows);
-    await (await open('about:blank')).close(); // the browser itself is there
+    await (await open('about:blank')).close(); // start the browser before the time is taken
     const began = Date.now();
     const { page, complaints, close } = await open(address);
     await page.waitForFunction(

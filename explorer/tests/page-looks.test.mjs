@@ -1,5 +1,4 @@
-// The explorer for readers with other colour vision, settings and screens, and its protection against foreign content,
-// in a real Chromium.
+// Tests the explorer with other themes and screens, and its protection against foreign content, in a real Chromium.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { CASE, closeBrowser, command, makePage, open, saved, settled } from './browser.mjs';

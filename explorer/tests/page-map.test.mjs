@@ -1,4 +1,4 @@
-// Maps in the explorer: what is told of a cell is what the result holds of it, a click computes its motion, keys walk
+// Tests maps in the explorer: the page describes a cell as the result has it, a click computes its motion, keys move
 // from cell to cell, and the diagram is the row or column of the cursor.
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { closeBrowser, command, folder, makePage, open, saved, settled } from './browser.mjs';
 
-// The first parameter falls, the second one has equal ratios: its axis is logarithmic.
+// The values of the first parameter fall; those of the second have equal ratios, so that its axis is logarithmic.
 const CASE = `whirl: 1
 title: A Jeffcott rotor that rubs, over speed and unbalance
 parameters: {omega: 2.05 rad/s, e: 0.6 m}
@@ -47,7 +47,7 @@ before(() => {
 });
 after(closeBrowser);
 
-/// Rows of CSV as objects by their headings; no cell of these has a comma.
+/// Returns the rows of a CSV text without commas in its cells, as objects with the headings as keys.
 function cellsOf(text) {
   const [heading, ...lines] = text.trim().split(/\r?\n/);
   const names = heading.split(',');
@@ -58,8 +58,8 @@ const csvOf = async (page, card) => cellsOf((await saved(page, card, 'csv')).byt
 const near = (a, b, most = 1e-6) => assert.ok(Math.abs(a - b) < most, `${a} is not ${b}`);
 const number = (text) => Number(text.replace('\u2212', '-'));
 
-/// Returns the place of a point's cell on the screen: speeds evenly, unbalances by ratios, half a cell beyond the outer
-/// ones.
+/// Returns the position of a point's cell on the screen. Speeds are evenly spaced, unbalances by ratio; the map extends
+/// half a cell beyond the outer points.
 async function placeOf(page, point) {
   const box = await (await page.$(`${CARD} .overlay`)).boundingBox();
   const right = (columns.indexOf(point.omega) + 0.5) / columns.length;
@@ -116,7 +116,7 @@ test('a click computes the motion of a cell, as the result has it', { timeout: 3
       timeout: 60_000,
     });
     assert.equal(await settled(page), wanted);
-    // Another cell of the same speed may have been addressed before: both parameters are waited for.
+    // Wait for both parameters, since the cell before may have had the same speed.
     await page.waitForFunction(
       ([at, set]) => {
         const hash = new URLSearchParams(location.hash.slice(1));
@@ -130,7 +130,7 @@ test('a click computes the motion of a cell, as the result has it', { timeout: 3
     const away = (a, b) => Math.hypot(a['x [gap]'] - b['x [m]'], a['y [gap]'] - b['y [m]']);
     for (const mark of shown) near(Math.min(...stored.map((kept) => away(mark, kept))), 0);
     const period = Number(wanted.slice(2));
-    // As many marks as the orbit has revolutions, and in turn.
+    // The marks repeat after the orbit's number of revolutions.
     shown.slice(period).forEach((mark, i) => near(Number(mark['x [gap]']), Number(shown[i]['x [gap]'])));
     assert.ok(Math.abs(shown[0]['x [gap]'] - shown[1]['x [gap]']) > 1e-3);
   }
@@ -140,7 +140,7 @@ test('a click computes the motion of a cell, as the result has it', { timeout: 3
 
 test('keys walk from cell to cell; the address holds the cell, and is undone', { timeout: 300_000 }, async () => {
   const { page, complaints, close } = await opened();
-  // The cell nearest to the case's own values: 2.05 rad/s and 0.6 m.
+  // The page opens at the cell nearest to the values of the case, 2.05 rad/s and 0.6 m.
   const reaches = (cell) =>
     page.waitForFunction(
       ([omegas, es, wanted]) => {
@@ -170,7 +170,7 @@ test('keys walk from cell to cell; the address holds the cell, and is undone', {
   const spoken = await page.getAttribute(`${CARD} .overlay`, 'aria-valuetext');
   const first = points.find(({ omega, e }) => omega === columns[0] && e === rows[0]);
   assert.equal(spoken, `omega 1.5 rad/s, e 0.4 m: ${first.verdict}`);
-  // The cut turns about the cursor.
+  // The key C changes the cut from the row of the cursor to its column.
   await page.keyboard.press('c');
   await reaches([0, 0]);
   await page.waitForFunction(() => new URLSearchParams(location.hash.slice(1)).get('par') === 'e');
@@ -251,7 +251,7 @@ test('finer cells are computed where one looks, and are those of a run there', {
   await page.keyboard.up('Shift');
   const finer = (text) => page.waitForSelector(`${CARD} button:text-is("${text}")`, { timeout: 60_000 });
   await (await finer('finer')).click();
-  // The first grid cuts every cell in two both ways; it is done when the next one begins.
+  // The first grid halves every cell in both directions; it is complete when the next grid begins.
   await page.waitForFunction(
     () => {
       const [, columns, , known] =
@@ -297,7 +297,8 @@ test('finer cells are computed where one looks, and are those of a run there', {
     });
   }
   assert.equal(await status(), stopped);
-  // A run of the command at these very values; what is chaotic keeps to them only with the same last bits.
+  // Compare with a run of the command at the same values. Its bits must be those of the page, since chaotic motions
+  // separate after differences in the last bit.
   const list = (key) => cells.map((cell) => cell[key]).join(', ');
   writeFileSync(
     join(folder, 'finer.yaml'),
@@ -306,7 +307,7 @@ test('finer cells are computed where one looks, and are those of a run there', {
       ` y: {parameter: e, values: [${list('e')}]}`,
     ),
   );
-  process.env.WHIRL_ISA = 'simd128'; // as the page
+  process.env.WHIRL_ISA = 'simd128'; // gives the bits of the page
   try {
     command('run', 'finer.yaml', '-q', '-o', 'finer.h5');
   } finally {
@@ -321,7 +322,7 @@ test('finer cells are computed where one looks, and are those of a run there', {
     assert.equal(mine.verdict, verdict);
     near(Number(mine['lyapunov/largest [1/revolution]']), exponent);
   }
-  // They are drawn wherever one looks, and take no part in what is saved of the run.
+  // Finer cells are drawn in every view, but are not part of the saved data of the run.
   await page.click(`${CARD} button:text-is("whole")`);
   const svg = (await saved(page, CARD, 'svg')).bytes.toString('utf8');
   assert.match(svg, /stroke-dasharray/);

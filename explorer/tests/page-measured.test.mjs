@@ -1,4 +1,4 @@
-// Measured data over the model: an orbit and 1X vectors by the closed form of a wheel on a damped spring.
+// Tests measured data over the model: an orbit and 1X vectors from the closed form of a wheel on a damped spring.
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -22,7 +22,7 @@ study:
   analyze: [poincare, regime, orbit, spectrum]
 `;
 
-/// Amplitude in um, and lag in degrees, of x at a speed in rpm; y lags by a right angle more.
+/// Returns the amplitude in um and the lag in degrees of x at a speed in rpm; y lags by 90 degrees more.
 function response(rpm) {
   const w = (rpm * Math.PI) / 30;
   const [real, late] = [STIFFNESS - MASS * w * w, DAMPING * w];
@@ -69,7 +69,8 @@ test('a measured orbit and measured vectors lie over the model, and go again', a
   await page.press('#value-a', 'Enter');
   await settled(page);
 
-  // The orbit of the closed form is the model's; one that is half as large again differs by half its rms.
+  // The orbit of the closed form equals that of the model; one that is 1.5 times as large differs by half the rms
+  // value.
   const { size } = response(1500);
   await drop(page, [
     ['orbit.csv', orbitTable(1500)],
@@ -87,11 +88,11 @@ test('a measured orbit and measured vectors lie over the model, and go again', a
   assert.ok(Math.abs(differences[1] / (size / 2 / Math.SQRT2) - 1) < 5e-3, `${differences[1]} of ${size}`);
   await page.waitForSelector('.panel-spectrum .key-measured:nth-child(3)');
 
-  // Removed by its button.
+  // Remove the second orbit by its button.
   await page.click('.measured button[title="Remove other.csv"]');
   await page.waitForFunction(() => document.querySelectorAll('.measured li').length === 1);
 
-  // Vectors take the diagram to the amplitude at the running speed; their dots are where the closed form is.
+  // After vectors are dropped, the diagram shows the 1X amplitude with the vectors as dots.
   await drop(page, [['bode.csv', bodeTable()]]);
   await page.waitForSelector('.legend .key-measured');
   assert.equal(await page.inputValue('.map-card select[title="What the diagram shows"]'), '1x');
@@ -126,7 +127,8 @@ test('measured vectors lie over a stored Bode diagram', async () => {
   });
   await page.waitForSelector('.measured li');
   assert.match(await legend(), /measured, in the colours of the probes/);
-  // The dots are in the picture: two of each of the seven speeds, in amplitudes and in lags, each with a rim.
+  // The picture has the dots of both probes, in amplitudes and in lags: four paths with seven dots each, and their
+  // rims.
   const { bytes } = await saved(page, '.rest .map-card:visible', 'svg');
   const rims = bytes
     .toString('utf8')
@@ -144,7 +146,7 @@ test('measured vectors lie over a stored Bode diagram', async () => {
 });
 
 test('fitted parameters are sliders with errors, measured numbers lie over the fitted machine', async () => {
-  // Every second number is 1 um too large, the others too small: residuals that no parameter follows.
+  // Amplitudes are alternately 1 um too large and too small, residuals that no parameter can fit.
   const rows = bodeTable()
     .split('\n')
     .map((row, i) => (i === 0 ? row : row.replace(/,([^,]*)/, (_, size) => `,${Number(size) + (i % 2 ? 1 : -1)}`)));
@@ -161,7 +163,7 @@ test('fitted parameters are sliders with errors, measured numbers lie over the f
   const { page, complaints, close } = await open(makePage('fit', text + fit));
   await settled(page);
   assert.equal(await page.textContent('.contents [aria-current]'), 'Fit to measured motions');
-  // The sliders begin at the fitted values, which are the true ones within their 95 % intervals, in the case's units.
+  // The sliders begin at the fitted values, in the case's units; the true values are within the 95 % intervals.
   for (const [name, truth, unit] of [
     ['k', STIFFNESS / 1e6, 'MN/m'],
     ['e', ECCENTRICITY * 1e6, 'um'],
@@ -172,7 +174,7 @@ test('fitted parameters are sliders with errors, measured numbers lie over the f
       .map(Number);
     assert.ok(low <= truth && truth <= high && high - low < 5 * error, shown);
     assert.ok(Math.abs(Number(await page.inputValue(`#parameter-${name}`)) - value) < error, shown);
-    // The bar is as wide, as part of the slider, as twice the error is of its range: 20 half-widths of the interval.
+    // The bar is twice the error wide, on a slider whose range is 20 half-widths of the 95 % interval.
     const [bar, slider] = await page.$eval(`.parameter:has(#parameter-${name}) .slider`, (all) =>
       ['.fit-error', 'input'].map((part) => all.querySelector(part).getBoundingClientRect().width),
     );
@@ -181,7 +183,7 @@ test('fitted parameters are sliders with errors, measured numbers lie over the f
   }
   assert.deepEqual(await list(page), ['file 1: 1X of disc at 7 speeds']);
   await page.waitForSelector('.legend .key-measured');
-  // A moved parameter goes back to the fitted value, and the saved case has it.
+  // Reset takes a changed parameter back to the fitted value, which the saved case has.
   await page.fill('#parameter-k', '1.3');
   await page.press('#parameter-k', 'Enter');
   await page.waitForSelector('.parameter.changed');
@@ -211,7 +213,7 @@ test('bands of tolerances are shaded in the diagram and in the Bode diagram', as
     [0.05, 0.25, 0.5, 0.75, 0.95].forEach((share, i) => {
       const rpm = (value * 30) / Math.PI;
       const expected = (response(rpm).size * (10 + 30 * share)) / 25;
-      // Quantiles of 128 samples, which lie between 128 equal parts of the range: a part on each side.
+      // There is one sample in each of 128 equal parts of the range, so a quantile is right to one part on each side.
       const tolerance = (response(rpm).size * 30 * (2 / 128)) / 25;
       assert.ok(Math.abs(quantiles[i] * 1e6 - expected) < tolerance, `${quantiles[i] * 1e6}, expected ${expected}`);
     });
@@ -229,7 +231,7 @@ test('bands of tolerances are shaded in the diagram and in the Bode diagram', as
   const angles = tolerances.replace('40 um}', '40 um}, a: {from: -30 deg, to: 30 deg}');
   const rest = await open(makePage('rest-bands', turned + study + angles) + '#part=unbalance');
   await rest.page.waitForSelector('.rest .numbers tbody td');
-  // The lag is that of the response less the angle, whose quantiles are known; below 0 at low speeds.
+  // The lag is that of the response plus the angle's deviation, whose quantiles are known; it is below 0 at low speeds.
   const [restRun] = JSON.parse(await rest.page.textContent('#whirl-runs'));
   const lags = restRun.bands.find(({ field, column }) => field === 'unbalance/probe_lag' && column === 0);
   assert.equal(lags.places.length, 21);
@@ -240,7 +242,7 @@ test('bands of tolerances are shaded in the diagram and in the Bode diagram', as
       assert.ok(Math.abs(quantiles[i] - expected) < (60 * 2) / 128, `${quantiles[i]}, expected ${expected}`);
     });
   assert.match(await rest.page.textContent('.rest .legend:visible'), /tolerances, in the colours of the lines/);
-  // Probes at other angles have no stored quantiles: the band is that of the major axis.
+  // Probes at other angles have no stored quantiles, so the major axis has the band.
   await rest.page.fill('.rest input.angle', '30');
   await rest.page.press('.rest input.angle', 'Enter');
   await rest.page.waitForFunction(() => location.hash.includes('probe=30'));

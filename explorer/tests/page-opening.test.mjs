@@ -1,11 +1,11 @@
-// The page opens at a point with high confidence, and shows its motion before anything is computed.
+// Tests that the page opens at a point with high confidence, and shows its motion before anything is computed.
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { after, before, test } from 'node:test';
 import { CASE, closeBrowser, command, makePage, open } from './browser.mjs';
 
-// Short records leave points undetermined, near the middle of the sweep too.
+// The records are so short that some points are undetermined, also near the middle of the sweep.
 const TEXT = CASE.replace(/\n  detail:.*\n/, '\n')
   .replace('transient: 300, record: 100', 'transient: 150, record: 60')
   .replace('points: 61', 'points: 31')

@@ -1,4 +1,4 @@
-// The page on a phone: controls stand before figures, fingers find them, and nothing moves sideways.
+// Tests the page on a phone: controls are above figures and large enough for fingers, and nothing scrolls sideways.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { CASE, closeBrowser, makePage, open, settled } from './browser.mjs';
@@ -32,7 +32,7 @@ async function opened(name, width) {
 
 const CONTROLS = 'button, select, input, summary';
 
-/// Controls that are smaller than a finger.
+/// Returns the visible controls that are smaller than 40 pixels.
 const small = (page) =>
   page.$$eval(CONTROLS, (all) =>
     all
@@ -42,7 +42,7 @@ const small = (page) =>
       .map(([{ width, height }, text]) => `${width} x ${height}: ${text}`),
   );
 
-/// Controls of a card that stand below its figure, but for a legend, which says what is seen there.
+/// Returns the controls of cards that are below the figure of their card, except in legends and tables.
 const behind = (page) =>
   page.$$eval(
     '.card',
@@ -59,7 +59,7 @@ const behind = (page) =>
     CONTROLS,
   );
 
-/// Opened menus that are cut.
+/// Opens every menu; returns the ranges of menus that extend beyond the page.
 const cut = (page) =>
   page.$$eval('.menu', (all) =>
     all

@@ -1,12 +1,12 @@
-// Maps over three parameters in the explorer: a plane at a time, chosen by a slider; what is told of its cells, what a
-// click computes and what the diagram cuts are of that plane.
+// Tests maps over three parameters in the explorer: a slider chooses the plane that is shown; the texts of cells, the
+// motion of a click and the cut in the diagram belong to that plane.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { closeBrowser, command, folder, makePage, open, saved, settled } from './browser.mjs';
 
-// The planes fall, and the friction of the case is in none of them.
+// The values of the planes fall, and the friction of the case is not among them.
 const CASE = `whirl: 1
 title: A Jeffcott rotor that rubs, over speed, unbalance and friction
 parameters: {omega: 2.05 rad/s, e: 0.6 m, f: 0.06}
@@ -74,7 +74,7 @@ async function toPlane(page, index) {
 
 test('every plane tells what the result holds of it', { timeout: 300_000 }, async () => {
   const { page, complaints, close } = await opened();
-  // The plane nearest to the friction of the case.
+  // The page opens at the plane nearest to the friction of the case.
   assert.equal(await page.textContent('.plane-value'), 'f = 0.05');
   assert.match(await page.textContent('.map-status'), /8 by 3 points over omega and e in each of 3 planes of f/);
   for (const [index, f] of [0, 0.05, 0.1].entries()) {
@@ -123,7 +123,7 @@ test('a click computes the motion of a cell in its plane, and the cut is in it',
   );
   assert.equal(await settled(page), point.verdict);
   assert.ok(page.url().includes('f%3D0.1') || page.url().includes('f=0.1'), page.url());
-  // The diagram is the row of that plane.
+  // The diagram is a row of that plane.
   await page.waitForFunction(
     (f) => document.body.textContent.includes(`A cut through the map at e = ${f}`),
     `${point.e} m and f = 0.1`,

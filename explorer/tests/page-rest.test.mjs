@@ -1,4 +1,5 @@
-// Machines at rest in the explorer: Campbell's diagram, shapes and the response to unbalance, against the result file.
+// Tests machines at rest in the explorer: Campbell's diagram, shapes and the response to unbalance have the numbers of
+// the result file.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -35,7 +36,7 @@ before(() => {
 });
 after(closeBrowser);
 
-/// A table of the result file, as the command exports it: rows of texts by the names of their columns, without units.
+/// Exports a table of the result file; returns its rows of texts with the column names, without units.
 function exported(result, file) {
   command('export', `${result}.h5`, '--csv', `${result}-csv`, '--force');
   return rowsOf(readFileSync(join(folder, `${result}-csv`, file), 'utf8'));
@@ -53,7 +54,7 @@ function near(found, expected, tolerance, what) {
   assert.ok(Math.abs(found - expected) <= tolerance, `${what}: ${found}, expected ${expected}`);
 }
 
-/// The page once its numbers are there and its address is written.
+/// Opens a page, and waits until its numbers are shown and its address is written.
 async function opened(address, options) {
   const made = await open(address, options);
   await made.page.waitForSelector('.rest .numbers tbody td');
@@ -121,7 +122,7 @@ test('shafts bend between stations as in the figures of the library', async () =
   command('figure', 'modes.h5', 'shapes', '-o', 'shapes.json', '--force');
   const { panels } = JSON.parse(readFileSync(join(folder, 'shapes.json'), 'utf8'));
   const panel = panels.find(({ name }) => name === 'mode-2');
-  // x at the peak, y at the peak; dashed ones a quarter of a period later.
+  // The first two lines are x and y at the peak, the next two (dashed) x and y a quarter of a period later.
   const lines = panel.series.filter(({ shape, x }) => shape === 'line' && x.length > 20);
   const wanted = [lines[0], lines[1], lines[2], lines[3]].map(({ y }) => y.filter((value) => value !== null));
   const rows = rowsOf((await saved(page, '.rest .panel-shape', 'csv')).bytes.toString('utf8'));
@@ -131,7 +132,7 @@ test('shafts bend between stations as in the figures of the library', async () =
     near(Number(cells[2][1]), lines[0].x[i] / 1000, 1e-9, 'the place, m');
     numbers(cells, 3, 4, 5, 6).forEach((part, k) => near(part, wanted[k][i], 1e-6, `part ${k} at place ${i}`));
   });
-  // Not straight: the shaft between bearing and wheel leaves the line through both.
+  // The shaft is bent: between bearing and wheel it deviates from the straight line through both.
   const at = (z) =>
     numbers(
       places.reduce((a, b) => (Math.abs(b[2][1] - z) < Math.abs(a[2][1] - z) ? b : a)),
@@ -294,7 +295,7 @@ test('any angle of the probes gives what a case with that angle computes', async
     for (const which of [0, 2, 4]) near(seen[which], expected[which], 2e-6 * expected[4], 'an amplitude');
     for (const which of [1, 3]) near((seen[which] - expected[which] + 540) % 360, 180, 2e-4, 'a lag');
   });
-  // The case's own angle is where the field begins.
+  // At first the field shows the angle of the case.
   const other = await opened(`${turned}#st=wheel`);
   near(Number(await other.page.inputValue('.rest input.angle')), 40, 1e-4, 'degrees');
   assert.deepEqual([...complaints, ...other.complaints], []);

@@ -1,4 +1,5 @@
-// A run-up in the explorer: what is stored, what is computed anew, and its cursor, against the result file.
+// Tests a run-up in the explorer: the stored run, a run that the page computes, and the cursor, compared with the
+// result file.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -32,7 +33,7 @@ function rowsOf(csv) {
 const table = async (page, panel) => rowsOf((await saved(page, panel, 'csv')).bytes.toString('utf8'));
 const card = (title) => `.run .map-card[aria-label="${title}"]`;
 
-/// A table of the result file, as the command exports it: rows of a field.
+/// Exports a result file; returns the rows of a field of the run.
 function exported(name, field) {
   command('export', `${name}.h5`, '--csv', `${name}-csv`, '--force');
   return rowsOf(readFileSync(join(folder, `${name}-csv`, `runup-runup-${field}.csv`), 'utf8'));
@@ -45,7 +46,7 @@ const opened = async (address, options) => {
   return made;
 };
 
-/// Waits for the run at the present setting to be there.
+/// Waits until the run at the present setting is computed.
 const computed = (page) =>
   page.waitForFunction(
     () =>
@@ -60,7 +61,7 @@ test('a stored run is shown over time and speed, with one cursor', async () => {
   assert.match(await page.textContent('.run .how'), /^Stored run; ended as planned/);
   const time = exported('ramp', 'time').rows.map((row) => row.at(-1));
   const speed = exported('ramp', 'speed').rows.map((row) => row.at(-1));
-  // Rows of the last turn have no amplitude where it is not whole: rows by their numbers.
+  // The row of an incomplete last turn has no amplitude, so rows are matched by their numbers.
   const amplitude = new Map(exported('ramp', 'amplitude').rows.map((row) => [row[3], row.at(-8)]));
   const numbers = exported('ramp', 'time').rows.map((row) => row[2]);
   const { rows } = await table(page, card('The run over the time'));
@@ -72,7 +73,7 @@ test('a stored run is shown over time and speed, with one cursor', async () => {
     assert.ok(Math.abs(rows[row][1] - speed[i]) <= 1e-6 * 2.1);
     if (amplitude.has(numbers[i])) assert.ok(Math.abs(rows[row][3] - amplitude.get(numbers[i])) <= 1e-6 * 11);
   });
-  // The same row by its time and by its speed, and from the keyboard.
+  // The cursor is at the same row by time and by speed; an arrow key moves it to the next row.
   const at = there.reduce((best, i) => (Math.abs(time[i] - 300) < Math.abs(time[best] - 300) ? i : best), there[0]);
   assert.ok(
     Math.abs(Number.parseFloat(await page.textContent('.run .pane-value .verdict')) - speed[at]) < 1e-4 * speed[at],
@@ -85,7 +86,7 @@ test('a stored run is shown over time and speed, with one cursor', async () => {
   const next = there[there.indexOf(at) + 1];
   assert.ok(Math.abs(Number(await page.inputValue('#value-run')) - time[next]) < 1e-5 * 700);
   assert.match(page.url(), /t=30\d/);
-  // Without stored orbits: the sum of the orders, whose largest x is that of the numbers.
+  // The result has no orbits, so the page shows the sum of the orders.
   assert.match(await page.textContent('.panel-run-orbit'), /sum of orders 1 to 4/);
   assert.deepEqual(complaints, []);
   await close();
@@ -96,7 +97,7 @@ test('stations that twist are shown in degrees, without an orbit', async () => {
   const { page, complaints, close } = await opened(`${train}#t=0.4&units=um,rpm,order,0-p`);
   const { heading, rows } = await table(page, card('The run over the time'));
   assert.deepEqual(heading.slice(3, 5), ['twist at 1X (\u00b0 0-p)', 'largest twist (\u00b0)']);
-  // The file has displacements of points 1 m from the axis, in mm, of the motor first.
+  // The file has twists as displacements of points 1 m from the axis, in mm; the motor is its first station.
   const radius = exported('train', 'radius').rows.map((row) => (row.at(-1) * 1e-3 * 180) / Math.PI);
   rows.forEach((row, i) => assert.ok(Math.abs(row[4] - radius[i]) <= 1e-6 * radius[0], `row ${i}`));
   assert.ok(radius[0] > 3);
@@ -105,7 +106,7 @@ test('stations that twist are shown in degrees, without an orbit', async () => {
   assert.doesNotMatch(numbers, /\u00b5m|mean y/);
   assert.equal(await page.isVisible('.panel-run-orbit'), false);
   assert.equal(await page.isVisible('.panel-run-spectrum'), false);
-  // Torques of the motor and both couplings, over the time and at the cursor.
+  // Torques of the motor and both couplings are shown over the time and at the cursor.
   const chart = page.locator(card('The run over the time'));
   const below = chart.getByLabel('What the lower chart shows');
   assert.deepEqual((await below.locator('option').allTextContents()).slice(-4), [
@@ -150,7 +151,7 @@ test('a moved rate gives the run that the command gives', async () => {
   const whole = amplitude.filter(Number.isFinite);
   assert.equal(rows.length, whole.length);
   rows.forEach((row, i) => assert.ok(Math.abs(row[3] - whole[i]) <= 1e-9 * 11, `row ${i}: ${row[3]}, ${whole[i]}`));
-  // The orbit of the turn at the cursor, from the mark on.
+  // The panel shows the orbit of the turn at the cursor, which begins at the mark.
   const orbit = await table(page, '.panel-run-orbit');
   const times = exported('fast', 'orbit_time').rows.map((row) => row.at(-1));
   const best = times.reduce((least, at, i) => (Math.abs(at - 80) < Math.abs(times[least] - 80) ? i : least), 0);
@@ -160,10 +161,10 @@ test('a moved rate gives the run that the command gives', async () => {
     assert.ok(Math.abs(x - samples[k].at(-2)) <= 1e-9 && Math.abs(y - samples[k].at(-1)) <= 1e-9);
   });
   assert.match(page.url(), /runup\.rate/);
-  // The spectrum of that time is there, and stands out in the waterfall.
+  // The panel shows the spectrum nearest to that time.
   const spectrum = await table(page, '.panel-run-spectrum');
   assert.ok(spectrum.rows.length > 100);
-  // Back to the case.
+  // Reset the parameters to the case.
   await page.click('.run [aria-label="Reset all parameters to the case"], .run >> text=Reset all');
   await computed(page);
   assert.deepEqual(complaints, []);
@@ -176,11 +177,11 @@ test('a run is played, paused and stopped', async () => {
   await page.click('.run .play');
   await page.waitForFunction(() => Number(document.querySelector('#value-run').value) > 120);
   await page.click('.run .play');
-  await page.waitForTimeout(300); // a frame that was asked for is still drawn
+  await page.waitForTimeout(300); // a frame that was already requested is still drawn
   const paused = await page.inputValue('#value-run');
   await page.waitForTimeout(200);
   assert.equal(await page.inputValue('#value-run'), paused);
-  // A run of many turns ends when it is told to, and says how far it is.
+  // Stop ends a run of many turns.
   await page.fill('[id="parameter-runup.rate"]', '40');
   await page.keyboard.press('Enter');
   await page.waitForSelector('.run.busy');

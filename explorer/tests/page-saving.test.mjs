@@ -1,4 +1,4 @@
-// Files that the explorer saves, and the cases and commands that it writes, in a real Chromium.
+// Tests files that the explorer saves, and the cases and commands that it writes, in a real Chromium.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -47,7 +47,7 @@ test('pictures and data can be saved', async () => {
   await close();
 });
 
-/// Boxes of the labels of peaks in an SVG, [left, right, top, bottom] of their letters, and the segments of its curves.
+/// Returns the boxes [left, right, top, bottom] of the labels of peaks in an SVG, and the segments of its curves.
 async function labelled(page, svg) {
   return page.evaluate((text) => {
     const drawing = document.body.appendChild(new DOMParser().parseFromString(text, 'image/svg+xml').documentElement);

@@ -1,4 +1,4 @@
-// Settings that are typed, refused and taken away; lengths that keep their scale; a page that cannot compute.
+// Tests settings that are typed, refused or reset; lengths that keep their scale; and a page that cannot compute.
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:http';
@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url';
 import { after, before, test } from 'node:test';
 import { CASE, closeBrowser, command, folder, makePage, open, presets, saved, settled } from './browser.mjs';
 
-/// A journal of 0.2 mm clearance, small enough to run at once: speeds in rpm, lengths in clearances.
+/// A journal in a bearing with a clearance of 0.2 mm, which is the length scale; the case runs in a moment.
 const BEARING = `whirl: 1
 title: Journal in its bearing
 
@@ -79,7 +79,7 @@ test('parameters and axes have the units that the report chose', async () => {
   const pressed = await page.$$eval('.topbar [aria-pressed="true"]', (all) => all.map((one) => one.textContent));
   assert.deepEqual(pressed, ['mil', 'rpm', 'cpm', 'p-p']);
   assert.match(await csv(page, '.panel-spectrum'), /cpm/);
-  // The engine takes what is typed in that unit: twice the load.
+  // The engine reads a typed number in the shown unit; twice the load is typed.
   await type(page, '#parameter-F', (600 / POUND_FORCE).toFixed(6));
   await page.waitForFunction(() => /F%3D[\d.]+(\+|%20)lbf/.test(location.hash));
   await settled(page);
@@ -88,7 +88,7 @@ test('parameters and axes have the units that the report chose', async () => {
   await settled(page);
   assert.deepEqual(complaints, []);
   await close();
-  // A length that the page does not offer by itself.
+  // The report chose a unit of length that the page does not offer otherwise.
   const other = await open(makePage('mm', study('mm, N/mm')));
   await settled(other.page);
   assert.equal(await other.page.textContent('.topbar [value="own"][aria-pressed="true"]'), 'mm');
@@ -114,7 +114,7 @@ test('a stored diagram keeps its own length scale, on screen and in the file', a
   await settled(page);
   assert.match(await page.textContent('.status'), /Stored run/);
   assert.deepEqual([await csv(page, '.map-card'), await csv(page, '.panel-centreline')], before);
-  // A diagram that is computed of the changed machine is in micrometres of that one.
+  // A new diagram of the changed machine is in micrometres by the length scale of that machine.
   await page.selectOption('select[aria-label="Points of a new diagram"]', '64');
   await page.click('button:text-is("Recompute")');
   await page.waitForFunction(() => document.querySelector('.map-card progress').hidden, undefined, { timeout: 60_000 });
@@ -178,7 +178,7 @@ test('a stored run along the clearance has the micrometres of each of its machin
       .slice(1)
       .map((line) => line.split(',').map(Number));
   let lines = await read();
-  // The scales come from the engine, a moment after the page is there.
+  // Wait for the length scales, which the engine computes after the page has opened.
   for (let i = 0; i < 50 && lines[4][6] < 1.5 * points[4].stations.journal.max_radius * 200; i++) lines = await read();
   points.forEach(({ parameters, stations }, i) => {
     const reported = stations.journal.max_radius * parameters.c * 1e6;
@@ -187,7 +187,7 @@ test('a stored run along the clearance has the micrometres of each of its machin
       `at c = ${parameters.c}: ${lines[i][6]} and ${reported}`,
     );
   });
-  // The page opens at the point nearest to the middle that the run is sure of.
+  // The page opens at the point nearest to the middle whose verdict has no low confidence.
   const cursor = Number(await page.inputValue('#value-a'));
   const opened = points.findIndex(({ parameters }) => Math.abs(parameters.c - cursor) < 1e-9);
   assert.ok(opened >= 0 && points[opened].confidence !== 'low', `${cursor} in the field`);
@@ -236,7 +236,7 @@ test('over another parameter no value of the first one stays in the case', async
   await close();
 });
 
-/// The case that a page at this address saves.
+/// Opens a page at an address and saves its case; returns the text of the case.
 async function savedCase(address) {
   const { page, complaints, close } = await open(address);
   await settled(page);
@@ -316,7 +316,7 @@ test('an error speaks the unit that was typed, and what is left of the last good
   await page.waitForFunction(() => !document.querySelector('.pane-a').classList.contains('outdated'));
   assert.equal(await page.textContent('.pane-a .trouble'), '');
   assert.equal(await opacity(), 1);
-  // The same of a parameter that is no part of the diagram.
+  // Test the same with a parameter that is not along the diagram.
   await type(page, '#parameter-c', '-0.4');
   assert.match(await troubled(page, '.settings-card'), /^c: is -0\.4 mm, expected a number above 0 mm/);
   await page.waitForFunction(() => document.querySelector('.pane-a').classList.contains('outdated'));
@@ -337,7 +337,7 @@ test('a value may be typed with a unit that is not the one shown', async () => {
   await type(page, '#parameter-omega', '0.66 rad/ms');
   await shows('#value-a', '6302.54');
   await type(page, '#parameter-c', '180 um');
-  await shows('#parameter-c', '180'); // the row takes the unit over
+  await shows('#parameter-c', '180'); // the row adopts the typed unit
   assert.match(await page.textContent('.parameter:has(#parameter-c) .unit'), /um/);
   await settled(page);
   assert.equal(await page.textContent('.pane-a .trouble'), '');
@@ -373,7 +373,7 @@ test('tables over the speed are computed with, and stay as they are in a saved c
     `${address}#par=w&at=${200 * Math.PI}&q=radius&units=um,rpm,order,0-p`,
   );
   assert.match(await settled(page), /P-1/);
-  // 6000 rpm stands in the tables: amplitude e m w^2 / |k - m w^2 + i c w| in um.
+  // The tables contain 6000 rpm, at which the amplitude in um is e m w^2 / |k - m w^2 + i c w|.
   const [w, m, k, c] = [200 * Math.PI, 20, 6e6, 16e3];
   const expected = (10 * m * w * w) / Math.hypot(k - m * w * w, c * w);
   const rows = (await csv(page, '.panel-orbit')).trim().split('\r\n').slice(1);
@@ -431,7 +431,7 @@ test('a comma is refused with a sentence, and nothing is guessed', async () => {
   await close();
 });
 
-/// Serves a page with a policy of the server's own.
+/// Serves a page with a Content-Security-Policy in the server's answer.
 async function served(address, policy) {
   const page = readFileSync(fileURLToPath(address));
   const server = createServer((_, answer) =>

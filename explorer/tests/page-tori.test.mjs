@@ -1,5 +1,5 @@
-// Quasi-periodic motions in the explorer: bands over the diagram, from the orbit at which they begin, with their
-// rotation numbers and bounds as the result has them.
+// Tests quasi-periodic motions in the explorer: bands over the diagram begin at the orbit at which the tori begin, and
+// have the rotation numbers and bounds of the result.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { closeBrowser, command, makePage, open, saved } from './browser.mjs';
@@ -26,7 +26,7 @@ let address;
 before(() => (address = makePage('tori', ROTOR)));
 after(closeBrowser);
 
-/// The points of a closed path of an SVG.
+/// Returns the points of a closed path of an SVG.
 function pointsOf(path) {
   return [...path.matchAll(/(-?[\d.]+)[ ,](-?[\d.]+)/g)].map(([, x, y]) => [Number(x), Number(y)]);
 }
@@ -42,7 +42,7 @@ test('bands of tori lie over the diagram with their rotation numbers', { timeout
   const shown = command('show', 'tori.h5').match(/rotation number +([\d.]+) to ([\d.]+)/);
   const label = svg.match(/>rotation ([\d.]+) to ([\d.]+)</);
   for (const i of [1, 2]) assert.ok(Math.abs(Number(shown[i]) - Number(label[i])) < 1e-5);
-  // The band is filled once, through the edges of all tori and the orbits at which they begin and end.
+  // One filled path goes through the edges of all tori and the orbits at which the tori begin and end.
   const { columns, rows } = JSON.parse(command('show', 'tori.h5', '--json')).sheets.find(({ name }) => name === 'tori');
   const tori = rows[0][columns.findIndex(({ key }) => key === 'points')];
   const filled = [...svg.matchAll(/<path[^>]*?\bd="([^"]*)"[^>]*>/g)]
@@ -50,7 +50,7 @@ test('bands of tori lie over the diagram with their rotation numbers', { timeout
     .map(([, path]) => pointsOf(path));
   assert.equal(filled.length, 1);
   assert.equal(filled[0].length, 2 * (tori + 2));
-  // It begins and ends without width; between it is wide.
+  // The band has no width at its beginning and its end, and is wide between them.
   const heights = filled[0].slice(0, tori + 2).map(([, y], i) => filled[0][2 * tori + 3 - i][1] - y);
   const widest = Math.max(...heights);
   assert.ok(widest > 50 && heights[0] === 0 && heights.at(-1) === 0);

@@ -1,4 +1,4 @@
-// Nothing of report and explorer is cut at the width of a desk or of a phone: measured in the browser.
+// Tests in the browser that nothing of report and explorer is cut off at the width of a desktop or a phone.
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -8,7 +8,7 @@ import { closeBrowser, command, folder, open, settled, template } from './browse
 
 let address;
 before(() => {
-  // The case with the most stations and columns of those that `whirl new` writes; shorter runs have the same tables.
+  // Take the case of `whirl new` with the most stations and columns; a shorter run has the same tables.
   command('new', 'rotor', '-o', 'wide.yaml');
   const text = readFileSync(join(folder, 'wide.yaml'), 'utf8');
   const short = text.replace(
@@ -34,7 +34,7 @@ const overhang = (page) =>
     return [document.documentElement.scrollWidth - width, out.map((element) => element.outerHTML.slice(0, 80))];
   });
 
-/// Tables with the width that they need and that of the box around them.
+/// Returns for each table the width that it needs, and the width of the box around it.
 const tables = (page) =>
   page.$$eval('table', (all) =>
     all.map((table) => {
@@ -71,7 +71,7 @@ for (const width of [1280, 390])
     );
     assert.ok(figures.length >= 4, `${figures.length} figures`);
     assert.ok(figures.every((whole) => whole));
-    // The points in detail are a link away, and the last column of the last row can be brought into sight.
+    // The contents link to the points in detail, and the last cell of the last row can be scrolled into view.
     await page.click('nav a[href="#regimes-detail-1"]');
     const box = await page.evaluate(() => {
       const table = document.querySelector('#regimes-detail-1 ~ .scroll table, #regimes-detail-1 ~ div table');

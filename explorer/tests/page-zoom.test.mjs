@@ -1,4 +1,4 @@
-// Zooming refines: finer points in the view, beside those that are there.
+// Tests that zooming adds finer points in the view to the existing points.
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -33,7 +33,7 @@ async function openSmall(hash) {
   return opened;
 }
 
-/// Three times, each seen before the next.
+/// Zooms in three times; each time it waits until the view has changed.
 async function zoomIn(page) {
   for (let i = 0; i < 3; i++) {
     const [low, high] = await view(page);
@@ -48,7 +48,7 @@ async function zoomIn(page) {
   }
 }
 
-/// [parameter, verdict] of every point of the diagram.
+/// Returns [parameter, verdict] of every point of the diagram.
 async function points(page) {
   const text = (await saved(page, '.map-card', 'csv')).bytes.toString('utf8');
   return text
@@ -69,7 +69,7 @@ test('a zoom fills its range with finer points, which stay', async () => {
   const gaps = inside.slice(1).map(([value], i) => value - inside[i][0]);
   assert.ok(Math.max(...gaps) < 1.01 * ((high - low) / 32), `a gap of ${Math.max(...gaps)} in ${high - low}`);
   assert.ok(Math.max(...gaps) < 0.05, 'finer than the stored run');
-  // Each has the verdict of the command at its value.
+  // The finer points have the verdicts of the command at their values.
   const some = inside.filter((_, i) => i % 15 === 7);
   for (const [value, verdict] of some) {
     writeFileSync(
@@ -85,7 +85,7 @@ test('a zoom fills its range with finer points, which stay', async () => {
       `at ${value}`,
     );
   }
-  // Back: they stay; again: nothing is computed twice.
+  // The finer points stay after undo, and are not computed again after another zoom.
   const count = await finer(page);
   await page.keyboard.press('Control+z');
   await page.waitForFunction(
@@ -127,7 +127,7 @@ test('coarse to fine, and another zoom overtakes', async () => {
   await page.focus('.map-main .overlay');
   await page.keyboard.press('End');
   await zoomIn(page);
-  // Points of the first zoom that had a first look stay undetermined.
+  // Points of the first zoom that were only computed as previews stay undetermined.
   await page.waitForFunction(
     () =>
       document.querySelector('.map-card progress').hidden &&

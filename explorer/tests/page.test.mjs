@@ -1,4 +1,4 @@
-// The explorer in a real Chromium, from disk.
+// Tests the explorer in a real Chromium, opened from disk.
 import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -11,7 +11,7 @@ before(() => {
 });
 after(closeBrowser);
 
-/// Opaque colours in the first canvas of an element.
+/// Returns the number of opaque colours in the first canvas of an element.
 const coloursIn = (page, selector) =>
   page.$eval(`${selector} canvas`, (canvas) => {
     const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
@@ -126,7 +126,7 @@ test('the orbit goes to the right with x and upwards with y', async () => {
     .split(/\r?\n/)
     .slice(1)
     .map((line) => line.split(',').map(Number));
-  // Of all paths of the picture the orbit has the most points: as many numbers of the table are its extremes.
+  // The path with the most points is the orbit; its extremes are compared with those of as many last rows of the table.
   const paths = [...svg.matchAll(/ d="([^"]*)"/g)].map(([, d]) => [...d.matchAll(/(-?[\d.]+) (-?[\d.]+)/g)]);
   const drawn = paths.sort((a, b) => b.length - a.length)[0].map(([, x, y]) => [Number(x), Number(y)]);
   assert.ok(drawn.length > 50, `${drawn.length} points`);
@@ -137,7 +137,7 @@ test('the orbit goes to the right with x and upwards with y', async () => {
     const [[x0, x1], [y0, y1]] = [extremes(last, 1), extremes(last, 2)];
     return [left + ((x - x0) / (x1 - x0)) * (right - left), bottom - ((y - y0) / (y1 - y0)) * (bottom - top)];
   };
-  // The last sample, which is at the mark, is the end of the path.
+  // The path ends at the last sample, which is at the mark.
   const [x, y] = at(last.at(-1));
   assert.ok(Math.hypot(x - drawn.at(-1)[0], y - drawn.at(-1)[1]) < 0.02 * (right - left), `${[x, y]}, ${drawn.at(-1)}`);
   assert.deepEqual(complaints, []);

@@ -1,7 +1,7 @@
-// Pictures of every view, to be looked at:  WHIRL=... TEMPLATE=... node tests/pictures.mjs PAGE.html OUT
+// Makes pictures of every view for inspection:  WHIRL=... TEMPLATE=... node tests/pictures.mjs PAGE.html OUT
 //
-// PAGE.html is an explorer of the paper's case, or of modes and the response to unbalance of the overhung rotor (of the
-// gallery). Written to OUT as PNG at three widths, light and dark.
+// PAGE.html is an explorer of the paper's case, or of modes and the response to unbalance of the gallery's overhung
+// rotor. The pictures are written to OUT as PNG at three widths, in the light and the dark theme.
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { brush, closeBrowser, open, settled } from './browser.mjs';

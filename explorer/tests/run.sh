@@ -1,6 +1,6 @@
 #!/bin/bash
-# The tests of the explorer's page in real browsers:  run.sh WHIRL TEMPLATE [FILE.test.mjs...]
-# Exit status 77, with one line, where something that they need is missing.
+# Runs the tests of the explorer's page in real browsers:  run.sh WHIRL TEMPLATE [FILE.test.mjs...]
+# Prints a line and exits with status 77 if something that the tests need is missing.
 set -u
 WHIRL=$(realpath "$1") || exit 1
 TEMPLATE=$(realpath -m "$2") || exit 1
@@ -17,7 +17,7 @@ command -v node >/dev/null || skip "node is missing (scripts/install-dependencie
 [ -d node_modules/playwright-core ] || skip "playwright-core is missing (make explorer)"
 CHROMIUM=$(tests/chromium.sh) || skip "Chromium is missing (scripts/install-dependencies.sh browser)"
 export CHROMIUM
-# The tests in Firefox say themselves that they are left out.
+# Without Firefox, its tests report themselves as skipped.
 for browser in "${FIREFOX:-}" firefox-esr firefox; do
     [ -n "$browser" ] && FIREFOX=$(command -v "$browser") && break
 done

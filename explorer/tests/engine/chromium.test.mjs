@@ -1,5 +1,5 @@
-// The engine in a real Chromium, in a page opened from disk under the strictest policy that it works with, against
-// `whirl run`. Prints how long the page waits.
+// Tests the engine in a real Chromium, in a page opened from disk with the strictest Content-Security-Policy under
+// which the engine works: its results are compared with those of `whirl run`. Prints how long the page waits.
 import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -14,7 +14,7 @@ import { LONG, PARTS, POINTS, SHORT, caseText, run, sectionDifference, withStudy
 let browser, page, folder;
 const complaints = [];
 
-/// A page with nothing but the engine, as window.engine.
+/// Writes a page that contains only the engine, as window.engine.
 async function writePage(file) {
   const program = `
     import { startEngine } from ${JSON.stringify(new URL('../../src/engine/engine.ts', import.meta.url).pathname)};
@@ -60,7 +60,7 @@ after(async () => {
   rmSync(folder, { recursive: true });
 });
 
-/// The numbers of points, computed in the page.
+/// Computes points in the page; returns their numbers.
 function compute(text, parameter, values) {
   return page.evaluate(
     async ([text, parameter, values]) => {
@@ -127,7 +127,7 @@ test('how long the page waits', async (t) => {
   t.diagnostic(
     `a diagram of 256 points, 150 revolutions at 256 steps, two workers: ${(times.sweep / 1000).toFixed(2)} s`,
   );
-  // Far above what a quiet machine needs: a bound for what has gone wrong.
+  // The bounds are far above the times of an idle computer, so that only a gross fault exceeds them.
   assert.ok(times.later < 5000 && times.sweep < 120000);
 });
 

@@ -1,4 +1,5 @@
-// The engine in node's workers against `whirl run`: the same numbers, the same verdicts, and what a page may do to it.
+// Tests the engine in node's workers: it has the numbers and verdicts of `whirl run`, and answers all requests of a
+// page.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
@@ -39,7 +40,7 @@ async function good(outcome) {
 }
 
 for (const { name, parameter, values } of POINTS) {
-  // Neighbours in time differ by rounding alone: the command fuses multiply-adds, a browser does not.
+  // Results differ only by rounding: the command fuses multiply-adds, a browser does not.
   test(`${name}: 20 revolutions agree to 1e-9`, async () => {
     const text = withStudy(name, parameter, values, SHORT);
     const reported = run(text);
@@ -50,7 +51,7 @@ for (const { name, parameter, values } of POINTS) {
     }
   });
 
-  // The command's kernels of 128 bits do not fuse either: then not even the last bit differs, by any method.
+  // The command's kernels of 128 bits do not fuse multiply-adds either, so no bit differs, with any method.
   const record = SHORT.record;
   for (const integrate of [
     { method: 'rk4', steps_per_revolution: 512 },
@@ -81,7 +82,7 @@ for (const { name, parameter, values } of POINTS) {
       result.stations.forEach((station, which) => {
         const [radius] = fieldNumbers(result.layout, result.block, 'orbit/max_radius', which);
         assert.ok(Math.abs(radius - theirs.stations[station.name].max_radius) < 1e-7);
-        // The strongest line, and the spectrum at its order.
+        // Compare the strongest line, and the spectrum at the order of that line.
         const [order, x] = fieldNumbers(result.layout, result.block, 'spectrum/lines', which);
         assert.ok(Math.abs(order - theirs.spectrum[station.name][0].order) < 1e-6);
         assert.ok(Math.abs(x - theirs.spectrum[station.name][0].x) < 1e-6);
@@ -90,7 +91,8 @@ for (const { name, parameter, values } of POINTS) {
   });
 }
 
-// A sweep computes its points side by side, in an order of its own, on several workers: each is what a point alone is.
+// A sweep computes points in lanes, in another order, on several workers; each has the numbers of a point that is
+// computed alone.
 test('points of a sweep are those of the command', async () => {
   const values = [0.9, 0.75, 0.6, 0.4];
   const text = withStudy('paper', 'r_k', values, SHORT);
@@ -127,7 +129,8 @@ test('points of a sweep are those of the command', async () => {
     );
 });
 
-// A seat that is damped a hundred thousand times as fast as it turns, and one that is not.
+// Two bearing seats: the first one's damping rate is 1e5 times the speed, so that the system is stiff; the second is
+// not.
 for (const [damping, method] of [
   ['1e7 N.s/m', 'rodas5p'],
   ['100 N.s/m', 'dop853'],
@@ -157,7 +160,7 @@ study:
     assert.ok(sectionDifference(whole, fieldNumbers, reported.points[0]) < 1e-12);
   });
 
-// All that is watched of stations and contacts can be shown over the parameter.
+// Every watched number of stations and contacts can be shown over the parameter.
 test('a diagram has a quantity for every number of its stations and contacts', async () => {
   const { Diagram } = await load('../data/diagram');
   const { quantitiesOf, quantityOf } = await load('../data/quantities');
@@ -184,7 +187,7 @@ test('a diagram has a quantity for every number of its stations and contacts', a
       const shown = quantityOf(diagram, id, 1, [{ name: 'disc' }, { name: 'journal' }], units, 'c');
       for (const point of [0, 1]) {
         const number = diagram.number(point, name, extent === 'station' ? 1 : 0, column);
-        // Without a radius of the shaft nobody knows the friction's torque.
+        // The friction torque is unknown, as the case gives no radius of the shaft.
         const known = !/^rub\/(max_torque|torque|power)$/.test(name);
         assert.equal(Number.isFinite(number), known, `${name} of point ${point}`);
         assert.equal(shown.column.data[point] * shown.factor, number, shown.label);
@@ -325,7 +328,8 @@ test('an engine that cannot start says so', async () => {
   broken.close();
 });
 
-// Transients of the paper's rotor that a short run takes for chaos: 400 + 100 revolutions of 256 steps.
+// At these values the paper's rotor has long transients, some of which a run of 400 + 100 revolutions with 256 steps
+// judges as chaos.
 test('a first look has no verdict where a longer run may have another', async () => {
   const setting = { text: caseText('paper') };
   const short = { transient: 400, record: 100, watch: 0, settle: true };
@@ -348,7 +352,7 @@ test('a first look has no verdict where a longer run may have another', async ()
       /400 \+ 100 revolutions of 256 steps; a verdict takes the 1100 \+ 100 of 1024 steps/,
     );
     assert.equal(fieldNumbers(looked.layout, looked.block, 'regime/code')[0], 0);
-    // It is the same motion, with the same evidence.
+    // The preview has the motion and the evidence of the short run.
     assert.deepEqual(
       fieldNumbers(looked.layout, looked.block, 'poincare/section'),
       fieldNumbers(hasty.layout, hasty.block, 'poincare/section'),
@@ -361,7 +365,7 @@ test('a first look has no verdict where a longer run may have another', async ()
   assert.ok(chaotic > 0, 'a short run takes some for chaos');
 });
 
-// At the case's own steps a motion that settles early would settle so in a longer run too.
+// A preview with the steps of the case keeps its verdict if the motion settles early: a longer run would settle alike.
 test('a first look keeps the verdict of a motion that has ended by itself', async () => {
   const setting = { text: caseText('paper') };
   const whole = await good(engine.point({ setting, parameter: 'r_k', value: 0.8 }));
@@ -376,7 +380,7 @@ test('a first look keeps the verdict of a motion that has ended by itself', asyn
   assert.deepEqual([looked.verdict.name, looked.verdict.provisional], [whole.verdict.name, false]);
 });
 
-// ---- measured numbers, against closed forms
+// ---- measured numbers, compared with closed forms
 
 const WHEEL = `whirl: 1
 title: A wheel

@@ -1,4 +1,4 @@
-// Workers of a browser on top of node's, so that the engine runs in tests without one.
+// Implements the browser's Worker with node's worker threads, so that tests run the engine without a browser.
 import { Worker as Thread } from 'node:worker_threads';
 
 const prelude = `
@@ -6,7 +6,7 @@ const { parentPort } = require('node:worker_threads');
 globalThis.self = globalThis;
 globalThis.location = { href: 'blob:' };
 globalThis.postMessage = (message, transfer) => parentPort.postMessage(message, transfer);
-// Node empties one port before it looks at the next; a browser takes turns.
+// Node handles all messages of one port before those of the next; a browser alternates between ports.
 globalThis.MessageChannel = class {
   port1 = {};
   port2 = { postMessage: () => setImmediate(() => this.port1.onmessage()) };
@@ -30,7 +30,7 @@ export class Worker {
   }
 }
 
-/// Puts Worker and what makes their URLs in place.
+/// Installs Worker, and the functions of Blob and URL that make the addresses of workers.
 export function installWorkers() {
   globalThis.Worker = Worker;
   globalThis.Blob = class {

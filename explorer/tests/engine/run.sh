@@ -1,6 +1,6 @@
 #!/bin/bash
-# The explorer's engine against the command, or its colours:  run.sh node|chromium|colours WHIRL BUILD
-# Exit status 77, with one line, where something that the tests need is missing.
+# Tests the explorer's engine in node or Chromium, or the explorer's colours:  run.sh node|chromium|colours WHIRL BUILD
+# Prints a line and exits with status 77 if something that the tests need is missing.
 set -u
 kind=$1
 WHIRL=$(realpath "$2") && export WHIRL

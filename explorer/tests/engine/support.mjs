@@ -1,4 +1,4 @@
-// Shared by the tests of the engine: points with the answers of `whirl run`, and comparisons with them.
+// Functions that the tests of the engine share: test points, the results of `whirl run`, and comparisons with them.
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -7,15 +7,15 @@ import { fileURLToPath } from 'node:url';
 
 const root = fileURLToPath(new URL('../../..', import.meta.url));
 
-/// The build directory, an argument of the tests, with the command and the engine's parts.
+/// The build directory, with the command and the engine's parts.
 export const BUILD = process.env.WHIRL_BUILD ?? join(root, 'build');
 export const WHIRL = process.env.WHIRL ?? join(BUILD, 'whirl');
 export const PARTS = join(BUILD, 'explorer');
 
 export const caseText = (name) => readFileSync(join(root, 'cases', `${name}.yaml`), 'utf8');
 
-/// A case with a study of its own over `values` of a parameter; the initial state is kept. Points of a detail are
-/// computed alone and keep whole spectra and waveforms.
+/// Returns the text of a case whose study is replaced by a sweep over `values` of a parameter; the initial state is
+/// kept. The same values are points in detail, which are computed alone and keep whole spectra and waveforms.
 export function withStudy(name, parameter, values, { integrate, record, start = 'state' }) {
   const text = caseText(name);
   const initial = /\n  initial:.*\n(?:    .*\n)*/.exec(text)[0];
@@ -30,7 +30,7 @@ study:
 `;
 }
 
-/// The document of `whirl run --json` for a case's text, computed by an instruction set ("": the widest).
+/// Runs `whirl run --json` on a case's text with an instruction set ("": the widest); returns the document.
 export function run(text, isa = '') {
   const folder = mkdtempSync(join(tmpdir(), 'whirl-'));
   try {
@@ -47,7 +47,7 @@ export function run(text, isa = '') {
   }
 }
 
-/// Points of all kinds of motion. Between them lie periods 1 to 4, closed curves, chaos with and without contact.
+/// Points with all kinds of motion: periods 1 to 4, closed curves, chaos with and without contact.
 export const POINTS = [
   { name: 'paper', parameter: 'r_k', values: [1.0, 0.7, 0.6, 0.48, 0.46, 0.45, 0.4, 0.25, 0.15] },
   { name: 'paper-derived', parameter: 'r_k', values: [0.9, 0.5] },
@@ -55,15 +55,15 @@ export const POINTS = [
   { name: 'rigid-rotor', parameter: 'rho', values: [0.1, 0.2, 0.4, 0.5] },
 ];
 
-/// 20 revolutions from the start: every state must agree.
+/// Options of a run of 20 revolutions from the start, in which every state must agree.
 export const SHORT = { integrate: { method: 'rk4', steps_per_revolution: 512 }, record: { transient: 0, record: 20 } };
-/// Long enough for verdicts.
+/// Options of a run that is long enough for verdicts.
 export const LONG = {
   integrate: { method: 'rk4', steps_per_revolution: 256 },
   record: { transient: 400, record: 200 },
 };
 
-/// The largest difference between the sections of a result of the engine and of the command, in length scales.
+/// Returns the largest difference between the sections of a result of the engine and of the command, in length scales.
 export function sectionDifference(result, fieldNumbers, reported) {
   let worst = 0;
   result.stations.forEach((station, which) => {

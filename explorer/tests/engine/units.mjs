@@ -1,11 +1,11 @@
-// Quantities for units.sh, one a line ("TEXT|EXPECTED UNIT"):  node units.mjs < NAMES
+// Writes quantities for units.sh, one a line ("TEXT|EXPECTED UNIT"):  node units.mjs < NAMES
 //
-// Every name of the database with every prefix, and products, powers and slips of the pen drawn from a fixed seed. The
-// database's logarithmic units, which no case takes, are left out, and so are powers that no physics has.
+// They are every name of the database with every prefix, and random products, powers and misspelt units from a fixed
+// seed. The database's logarithmic units, which cases do not accept, and powers beyond those of physics are left out.
 import { readFileSync } from 'node:fs';
 
 let seed = 1;
-/// A whole number below `count` (Park and Miller 1988).
+/// Draws a whole number below `count` (generator of Park and Miller 1988).
 function draw(count) {
   seed = (seed * 48271) % 2147483647;
   return seed % count;

@@ -1,6 +1,6 @@
 #!/bin/bash
-# The explorer's units against UDUNITS-2: the same numbers to the bit, the same sentences:  units.sh BUILD
-# Exit status 77, with one line, where something that it needs is missing.
+# Tests that the explorer's units give the numbers of UDUNITS-2 to the bit, and the same error messages:  units.sh BUILD
+# Prints a line and exits with status 77 if something that the test needs is missing.
 set -euo pipefail
 build=$(realpath "$1")
 cd "$(dirname "$0")/../../.."

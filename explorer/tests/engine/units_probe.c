@@ -1,5 +1,5 @@
-// Reads quantities, one a line ("TEXT|EXPECTED UNIT"), by src/case/values/quantity.c and prints what came of each;
-// built twice, with UDUNITS-2 and with explorer/core/units.c.
+// Reads quantities, one a line ("TEXT|EXPECTED UNIT"), by src/case/values/quantity.c, and prints the value and unit or
+// the error of each. units.sh builds this program twice, with UDUNITS-2 and with explorer/core/units.c.
 #include <stdio.h>
 #include <string.h>
 
