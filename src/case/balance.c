@@ -93,7 +93,7 @@ static const whirl_key trial_keys[] = {
     WHOLE_KEY("run", "", REQUIRED, WHIRL_FROM_TO(0, 100000), "number of the run"),
     CHOICE_KEY("plane", OPTIONAL, "", "plane of the weight; this or set"),
     WHOLE_KEY("set", "", OPTIONAL, WHIRL_FROM_TO(1, WHIRL_MAX_PLANES),
-              "number of the mode whose set of weights it was, multiplied by moment"),
+              "number of the mode whose set of weights was used, multiplied by moment"),
     NUMBER_KEY("moment", "", "kg m", OPTIONAL, WHIRL_POSITIVE, "mass times radius; this or mass"),
     NUMBER_KEY("mass", "", "kg", OPTIONAL, WHIRL_POSITIVE, "mass at the radius of the plane"),
     NUMBER_KEY("angle", "", "rad", REQUIRED, WHIRL_ANY, "angle on the rotor"),
@@ -103,20 +103,21 @@ static const whirl_key vibration_keys[] = {
     WHOLE_KEY("run", "", REQUIRED, WHIRL_FROM_TO(0, 100000), "number of the run"),
     NUMBER_KEY("speed", "", "rad/s", REQUIRED, WHIRL_POSITIVE, "speed of the rotor"),
     CHOICE_KEY("probe", REQUIRED, "", "name of the probe"),
-    VECTOR_KEYS("m", "amplitude of the 1X vibration, counted by `amplitudes`", "phase of the 1X vibration"),
+    VECTOR_KEYS("m", "amplitude of the 1X vibration, in the convention of `amplitudes`", "phase of the 1X vibration"),
     NUMBER_KEY("weight", "", "1", DEFAULT("1"), WHIRL_NOT_NEGATIVE, "weight of its square in the sum"),
 };
 
 static const whirl_key slow_roll_keys[] = {
     CHOICE_KEY("probe", REQUIRED, "", "name of the probe"),
-    VECTOR_KEYS("m", "amplitude of the 1X vibration, counted by `amplitudes`", "phase of the 1X vibration"),
+    VECTOR_KEYS("m", "amplitude of the 1X vibration, in the convention of `amplitudes`", "phase of the 1X vibration"),
 };
 
 static const whirl_key coefficient_keys[] = {
     CHOICE_KEY("plane", REQUIRED, "", "its plane"),
     NUMBER_KEY("speed", "", "rad/s", REQUIRED, WHIRL_POSITIVE, "speed of the rotor"),
     CHOICE_KEY("probe", REQUIRED, "", "name of the probe"),
-    VECTOR_KEYS("m/(kg m)", "amplitude of the vibration by a weight, over its moment, counted by `amplitudes`",
+    VECTOR_KEYS("m/(kg m)",
+                "amplitude of the vibration by a weight, over its moment, in the convention of `amplitudes`",
                 "phase of the vibration by a weight at angle 0"),
 };
 
@@ -282,7 +283,8 @@ static void read_model(case_reader *reader, const setting_list *file, whirl_bala
     out->kind = strcmp(kind, "p-p") == 0 ? 2.0 : strcmp(kind, "rms") == 0 ? sqrt(0.5) : 1.0;
     out->keyphasor = number_of(reader, file, "keyphasor");
     if (out->by_model && !settings_find(file, "model"))
-        problem_at(reader->problems, settings_find(file, "influence")->place, "is model, expected a model, too");
+        problem_at(reader->problems, settings_find(file, "influence")->place,
+                   "is model, expected the key model as well");
 }
 
 /// Reads the plane or the set of a trial.

@@ -239,8 +239,8 @@ static void read_grooves(case_reader *reader, const setting_list *file, whirl_be
         if (gap > 90.0)
             problem_at(
                 reader->problems, pressure->place,
-                "is given, and behind pad %zu there are %.4g degrees without a pad, expected a groove of at most "
-                "90 that holds it",
+                "is given, and behind pad %zu there are %.4g degrees without a pad, expected grooves of at most 90 "
+                "degrees",
                 i + 1, gap);
     }
 }
@@ -271,7 +271,7 @@ static void read_size(case_reader *reader, const setting_list *file, whirl_beari
     const int of = one_of(reader, file, "pad_clearance", "clearance");
     if (of == 2 && out->pads.count > 0 && least != most)
         problem_at(reader->problems, bearing_place(file, "clearance"),
-                   "is of pads that have several preloads, expected pad_clearance in its place");
+                   "is given for pads with different preloads, expected pad_clearance in its place");
     out->pad_clearance = of == 1 ? settings_plain(reader, file, "pad_clearance")
                                  : settings_plain(reader, file, "clearance") / (1.0 - most);
     out->clearance = (1.0 - most) * out->pad_clearance;

@@ -31,8 +31,8 @@
 
 // ---------------------------------------------------------------- checks with values
 
-/// Limit of the effort to check a detail's values before the run, in characters of evaluated expressions; an element or
-/// station counts as ELEMENT_COST characters.
+/// Limit of the effort to check points of the study before the run, in characters of evaluated expressions; an element
+/// or station counts as ELEMENT_COST characters.
 enum { CHECK_BUDGET = 1 << 18, ELEMENT_COST = 64 };
 
 /// Number of points between the ends of a sweep, or between the corners of a map, whose machines are built before the
@@ -201,7 +201,7 @@ static void check_layouts(case_reader *reader, case_content *content, plan_parts
             problem_at(reader->problems, content->plan.origins[b].place, "%s", status.message);
             continue;
         }
-        // Layout, record, initial state and statics of the batch.
+        // Check the layout, the record, the initial state and the statics of the batch.
         plan_raise_order(parts, whirl_rotor_system(rotor), &content->plan.batches[b]);
         plan_lower_tolerance(parts, whirl_rotor_system(rotor), &content->plan.batches[b]);
         status = whirl_analysis_check(whirl_rotor_system(rotor), batch->analyses);
@@ -282,7 +282,7 @@ static void read_content(case_reader *reader, const file_node *root, void *into)
     char shown[SHOWN_SIZE];
     const parameter_table none = {0};
     content->root = root;
-    // The file as a whole: its keys and its version.
+    // Check the file as a whole: its keys and its version.
     if (root->kind != NODE_MAPPING) {
         problem_at(reader->problems, root, "is %s, expected a mapping that begins with whirl: %d",
                    node_shown(root, shown), SCHEMA_VERSION);
@@ -291,7 +291,7 @@ static void read_content(case_reader *reader, const file_node *root, void *into)
     reader->parameters = &none;
     settings_read(reader, root, &schema_case, &file);
     if (reader->no_memory || !is_known_version(reader, &file)) return;
-    // Title and document data.
+    // Read the title and the document data.
     settings_text(reader, &file, "title", content->title, sizeof content->title);
     const setting *document = settings_find(&file, "document");
     if (document) settings_read(reader, document->place, &schema_document, &content->document);
@@ -300,7 +300,7 @@ static void read_content(case_reader *reader, const file_node *root, void *into)
         char text[DOCUMENT_TEXT];
         settings_text(reader, &content->document, content->document.items[i].key->name, text, sizeof text);
     }
-    // Parameters, then the parts whose expressions use them.
+    // Read the parameters, then the parts whose expressions use them.
     const setting *given = settings_find(&file, "parameters");
     parameters_read(reader, given ? given->place : NULL, content->overrides, content->override_count,
                     &content->parameters);
@@ -314,7 +314,7 @@ static void read_content(case_reader *reader, const file_node *root, void *into)
     if (study && !reader->no_memory) sensitivity_read(reader, &parts);
     if (study && !reader->no_memory) settings_units(reader, &parts.study, content->units, sizeof content->units);
     if (reader->no_memory) return;
-    // Checks with values, or without if some values are unknown.
+    // Check with values, or without if some values are unknown.
     if (reader->problems->count == 0)
         check_with_values(reader, content, &parts);
     else

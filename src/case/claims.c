@@ -178,7 +178,7 @@ static void read_branches(case_reader *reader, const setting_list *item, whirl_c
     claim->order_count = read_orders(reader, item, "orders", 1, WHIRL_MAX_CLAIM_LINES, claim->orders);
     claim->regions = read_whole(reader, item, "regions");
     if (claim->sense && claim->changes.count == 0)
-        problem_at(reader->problems, item->place, "says a sense, expected changes that have it");
+        problem_at(reader->problems, item->place, "has a sense and no changes, expected both");
     read_given(reader, item, claim);
 }
 

@@ -18,7 +18,7 @@ typedef struct member {
     double changed_speed;           ///< rad/s, of the drive without load after a change; 0: none
     course_run *course;             ///< events and laws of a run-up, or NULL
     whirl_runup_options run;        ///< options of the run of a record
-    bool recorded;                  ///< the member before has a meaning
+    bool recorded;                  ///< `run` is set
 } member;
 
 static void family_release(void *owner) {

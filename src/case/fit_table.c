@@ -16,7 +16,8 @@
 
 enum { FIT_INSTANTS = 64, FIT_MAX_ORDER = 64, FIT_PATH = 4096 };
 
-/// Largest distance of an angle from an instant of the motion, as part of the distance of instants.
+/// Largest accepted distance of a measured angle from the nearest instant of the motion, as a share of the distance
+/// between instants.
 #define FIT_OFF_INSTANT 1e-3
 
 /// Fails at a heading.
@@ -80,7 +81,7 @@ static whirl_status fit_probe_heading(fit_maker *m, size_t column, bool vectors)
     const named_list *stations = &m->parts->machine->stations;
     memcpy(text, m->table.columns[column].name, sizeof text);
     *own = (fit_column){.kind = FIT_DISPLACEMENT, .order = 1.0, .lag = column, .noise = m->noise};
-    // The share of the time in contact.
+    // Recognize the share of the time in contact.
     if (strcmp(text, "contact") == 0) {
         own->quantity = WHIRL_FIT_SHARE;
         own->size = 1.0;
@@ -134,17 +135,17 @@ static whirl_status fit_heading(fit_maker *m, size_t column, bool vectors) {
         own->size /= two_pi;
         return status;
     }
-    // Time, of a motion at one speed.
+    // Recognize the time, of a motion at one speed.
     if (strcmp(heading->name, "time") == 0) {
         own->kind = FIT_TIME;
         return csv_unit(&m->table, column, "s", "s", &own->size);
     }
-    // Speed.
+    // Recognize the speed.
     if (strcmp(heading->name, "speed") == 0) {
         own->kind = FIT_SPEED;
         return csv_unit(&m->table, column, "rad/s", "rpm", &own->size);
     }
-    // A parameter, or else a probe.
+    // Recognize a parameter, or else a probe.
     const size_t index = parameters_find(m->reader->parameters, heading->name);
     if (index == m->reader->parameters->count) return fit_probe_heading(m, column, vectors);
     own->kind = FIT_PARAMETER;
@@ -299,7 +300,8 @@ static whirl_status fit_fail_at(const fit_maker *m, const file_node *where, cons
     return *text ? whirl_fail(WHIRL_BAD_INPUT, "%s", text) : whirl_fail(WHIRL_NO_MEMORY, "no memory for a fit");
 }
 
-/// Gives columns the noise of their channel: a heading without its unit.
+/// Sets the noise of columns that have a channel in the case. The channel's name is the heading of the column without
+/// its unit.
 static whirl_status fit_share_noise(fit_maker *m, const fit_set *set) {
     char sentence[WHIRL_MESSAGE_SIZE];
     for (size_t k = 0; k < set->channel_count; k++) {

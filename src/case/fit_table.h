@@ -1,4 +1,4 @@
-/// Tables of measured numbers of a fit: which motion each number is of.
+/// Tables of measured numbers of a fit, and the motion to which each number belongs.
 #ifndef CASE_FIT_TABLE_H
 #define CASE_FIT_TABLE_H
 
@@ -45,8 +45,8 @@ typedef struct fit_maker {
 /// case or in the table; WHIRL_NO_MEMORY.
 whirl_status fit_table_read(fit_maker *m, const fit_set *set);
 
-/// Does the same with the text of a table that belongs to no fit; `name` is its name in messages. The caller frees
-/// m->table, also after a failure.
+/// Reads the text of a table that belongs to no fit, as fit_table_read does; `name` is the name of the table in
+/// messages. The caller frees m->table, also after a failure.
 whirl_status fit_text_read(fit_maker *m, const char *name, const char *text, size_t length);
 
 #endif

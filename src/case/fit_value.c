@@ -11,7 +11,8 @@
 #include "tree.h"
 #include "two_pi.h"
 
-/// Keys of which a set has one, and the unit of their noise; that of thresholds depends on what varies.
+/// Keys of single measured numbers, of which a set has one, and the unit of their noise. The noise of onsets and
+/// critical speeds has the unit of the parameter that varies.
 static const struct {
     const char *key, *unit;
     whirl_fit_quantity quantity;
@@ -63,7 +64,7 @@ bool fit_value_read(case_reader *reader, fit_set *out) {
     const size_t kind = fit_kind_of(out);
     if (kind == FIT_KINDS) return false;
     fit_read_along(reader, out);
-    // Values along the parameter or the speed.
+    // Read the values along the parameter or the speed.
     const setting *from = settings_find(&out->keys, "from"), *to = settings_find(&out->keys, "to");
     const setting *given = settings_find(&out->keys, fit_kinds[kind].key);
     const whirl_key keys[] = {fit_along_key(out, fit_kinds[kind].key), fit_along_key(out, "from"),
@@ -87,7 +88,7 @@ void fit_value_check_keys(case_reader *reader, const fit_set *set) {
     const size_t kind = fit_kind_of(set);
     const char *first = NULL;
     if (set->place->kind != NODE_MAPPING) return; // the path of a table
-    // One of the kinds.
+    // Require exactly one of the kinds.
     for (size_t k = 0; k <= FIT_KINDS; k++) {
         const char *key = k < FIT_KINDS ? fit_kinds[k].key : "file";
         const setting *given = settings_find(&set->keys, key);
@@ -99,7 +100,7 @@ void fit_value_check_keys(case_reader *reader, const fit_set *set) {
     if (!first)
         problem_at(reader->problems, set->place,
                    "has no file, onset, critical, frequency or damping, expected one of them");
-    // Their own keys.
+    // Check the keys that only some kinds have.
     fit_refuse_key(reader, set, "compare", kind == FIT_KINDS, "file");
     const bool threshold = fit_is_threshold(kind), mode = kind < FIT_KINDS && !threshold;
     const bool onset = threshold && fit_kinds[kind].quantity == WHIRL_FIT_ONSET;

@@ -78,14 +78,15 @@ static void fits_compare(const case_content *content, valuation *v, const whirl_
     const double turn = 6.283185307179586476925;
     double last = INFINITY;
     for (int look = 0; look < LOOKS && modes && !*doubt; look++) {
-        // The next eigenvalue of the functions, by falling real part.
+        // Take the next eigenvalue of the machine with functions, by falling real part.
         const size_t index = next_stable(modes, clock, last);
         if (index == SIZE_MAX) break;
         const eigenvalue own = fits_eigenvalue(modes, index, clock);
         const bool known = own.imaginary >= low && own.imaginary <= high;
         eigenvalue other = {0.0, 0.0};
         last = own.real;
-        // It grows beyond the tables, or its stability differs from that with the tables.
+        // Raise the doubt if the eigenvalue grows at a frequency beyond the tables, or if its stability differs from
+        // that with the tables.
         if (!known && grows(own, clock))
             snprintf(
                 doubt, WHIRL_MESSAGE_SIZE,

@@ -72,7 +72,8 @@ static size_t iso_range(const double *upper, double millimetres) {
 
 /// Returns the lower deviation of a shaft of the letters k to s, or the upper deviation of a hole K to S, in um.
 static double iso_inward(const deviation *own, bool hole, size_t grade, size_t range, size_t place) {
-    // Grades from which a hole has the rule with the difference of two grades, and shafts k have a deviation.
+    // Holes K, M and N have the rule with the difference of two grades up to IT8, other holes up to IT7. Shafts k have
+    // a deviation from IT4 to IT7 alone.
     const bool k = own->letter == 'k', early = k || own->letter == 'm' || own->letter == 'n';
     const double value = k && !hole && (grade < 4 || grade > 7) ? 0.0 : own->of[place];
     if (!hole) return value;

@@ -1,4 +1,4 @@
-// Cases and runs of them through handles.
+// The stable interface for cases and their runs, through handles.
 #include "whirl/job.h"
 #include "whirl/engine/case.h"
 

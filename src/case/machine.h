@@ -31,8 +31,8 @@ void machine_check(case_reader *reader, valuation *v, const machine_parts *machi
 /// Applies formula_settle to all settings of the machine.
 void machine_settle(valuation *v, machine_parts *machine);
 
-/// Builds a rotor with the values of `valuation` at the speed of the case; in_time: as whirl_design_in_time does. It is
-/// an outline (whirl_rotor_outline), as with the functions below.
+/// Builds a rotor with the values of `valuation` at the speed of the case; in_time: as whirl_design_in_time does. The
+/// rotor is an outline (whirl_rotor_outline), here and in the functions below.
 whirl_status machine_build(const machine_parts *machine, valuation *v, bool in_time, whirl_rotor **rotor);
 
 /// Changes to a machine for a variant.

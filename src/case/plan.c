@@ -230,7 +230,7 @@ static double *range_values(case_reader *reader, valuation *v, const axis_parts 
     const setting_list *sweep = &axis->keys;
     const setting *step = settings_find(sweep, "step");
     const bool ratios = strcmp(settings_word(sweep, "scale"), "log") == 0;
-    // Ends and step.
+    // Evaluate the ends and the step.
     bool good = plan_formula_value(reader, v, plan_place(sweep, "from"), &axis->from, &from);
     good = plan_formula_value(reader, v, plan_place(sweep, "to"), &axis->to, &to) && good;
     if (step) good = plan_formula_value(reader, v, step->place, &axis->step, &distance) && good;
@@ -241,7 +241,7 @@ static double *range_values(case_reader *reader, valuation *v, const axis_parts 
                    node_shown(plan_place(sweep, "from"), shown), node_shown(plan_place(sweep, "to"), end));
         return NULL;
     }
-    // Number of values, and the values.
+    // Count the values, and compute them.
     *count = step ? 0 : (size_t)settings_number(v, sweep, "points");
     if (step && !count_steps(reader, step, from, to, distance, count)) return NULL;
     double *values = arena_take(reader->arena, *count * sizeof *values);
@@ -384,7 +384,7 @@ static size_t map_refine(case_reader *reader, valuation *v, const plan_parts *pa
 static void make_map(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
     map_side sides[3];
     const size_t count = map_sides(reader, v, parts, sides), axes = parts->planes.parameter ? 3 : 2;
-    // Values of all points along each axis.
+    // Fill in the values of all points along each axis.
     double *values = count > 0 ? arena_take(reader->arena, axes * count * sizeof *values) : NULL;
     reader->no_memory = reader->no_memory || (count > 0 && !values);
     if (!values) return;
@@ -392,13 +392,13 @@ static void make_map(case_reader *reader, valuation *v, const plan_parts *parts,
         fill_side(&sides[i], step, values + i * count, count);
     mapped_evict(reader->arena->mapped);
     note_axis(v, &parts->sweep, sides[0].values[sides[0].count - 1], result);
-    // Places in the file, and units.
+    // Note the places in the file, and the units.
     plan_origin *origin = plan_next_origin(result);
     origin->rest = strcmp(settings_word(&parts->map, "start"), "rest") == 0;
     origin->across = end_place(&parts->across, true);
     origin->units[1] = parts->across.written;
     origin->units[2] = parts->planes.written;
-    // The batch.
+    // Add the batch.
     whirl_batch *batch = plan_add_batch(result, parts->map.group == &schema_basin ? WHIRL_ROLE_BASIN : WHIRL_ROLE_MAP,
                                         parts->map.group->name, parts->map.place);
     snprintf(batch->parameter, sizeof batch->parameter, "%.63s", parts->sweep.parameter->name);
@@ -530,7 +530,7 @@ static void make_branch(case_reader *reader, valuation *v, const plan_parts *par
     if (settings_yes(&parts->branch, "tori")) make_tori(parts, own, result);
 }
 
-/// Does the same as plan_given, for a machine of samples (whirl_batch.sampled).
+/// Fills in the parameter values as plan_given does, for one of the samples of a batch (whirl_batch.sampled).
 static size_t given_of(const whirl_batch *batch, const double values[3], size_t sampled,
                        whirl_given given[PLAN_MAX_GIVEN]) {
     const whirl_given varied[] = {{batch->parameter, values[0]}, {batch->second, values[1]}, {batch->third, values[2]}};
@@ -655,7 +655,7 @@ void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study
         make_sweep(reader, v, parts, result);
     else if (parts->moves && !parts->dataset.keys.place)
         plan_add_batch(result, WHIRL_ROLE_POINT, schema_response.name, parts->study.place);
-    // Add batches that go with it.
+    // Add the batches of its points in detail and of its branches.
     if (parts->at.count > 0) make_detail(reader, v, parts, result);
     if (parts->branches && parts->sweep.parameter) make_branch(reader, v, parts, result);
     // Give options to all batches.

@@ -47,7 +47,7 @@ typedef struct course_run course_run;
 /// Reads the course from the keys of a run; NULL if there is none, or no memory.
 const course_parts *course_read(case_reader *reader, const machine_parts *machine, setting_list *keys);
 
-/// Evaluates its expressions and reports wrong ones. Returns false if there are any.
+/// Evaluates the expressions of a course and reports wrong ones. Returns false if there are any.
 bool course_check(case_reader *reader, valuation *v, const course_parts *parts);
 
 /// Makes the course at a point, of a machine with that unit of displacement, m. *out is freed by course_free, after a
@@ -56,15 +56,15 @@ whirl_status course_make(const course_parts *parts, const machine_parts *machine
                          course_run **out);
 const whirl_run_course *course_shown(const course_run *run);
 
-/// Checks that its laws have values at the beginning, at a speed in rad/s, and their tables to the end, s.
-/// WHIRL_BAD_INPUT with a sentence.
+/// Checks that the laws of a course have values at time 0, at a speed in rad/s, and that their tables reach the end of
+/// the run, s. WHIRL_BAD_INPUT with a sentence.
 whirl_status course_covers(const course_run *run, double speed, double end);
 void course_free(course_run *run);
 
 /// Sets the speeds of a run without a table, rad/s and rad/s2: from `from` to `to` at the rate `rate`, then constant.
 void course_set_rate(course_run *run, double from, double to, double rate);
 
-/// Puts `lead` s at the first speed before the table of speeds. WHIRL_BAD_INPUT if it has too many rows.
+/// Prepends `lead` seconds at the first speed to the table of speeds. WHIRL_BAD_INPUT if the table has too many rows.
 whirl_status course_lead(course_run *run, double lead);
 
 /// Adds the values that an event gives to parameters behind given [*count], at most WHIRL_MAX_GIVEN.

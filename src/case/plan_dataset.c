@@ -236,7 +236,7 @@ void dataset_read(case_reader *reader, const machine_parts *machine, plan_parts 
 
 // ---------------------------------------------------------------- what differs between records
 
-/// A data set that is made.
+/// A data set that is being made.
 typedef struct dataset_maker {
     case_reader *reader;
     valuation *v;

@@ -1,4 +1,4 @@
-// A fit: its unknown parameters, and the tables of measured numbers with the motions that they are of.
+// A fit: its unknown parameters, and the tables of measured numbers with the motions to which they belong.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -113,7 +113,7 @@ static void fit_read_sets(case_reader *reader, fit_parts *fit) {
         fit_read_set(reader, one, &fit->sets[fit->set_count++]);
 }
 
-/// Reports parameters that are given or looked for, and vary.
+/// Reports a parameter along which a number is measured although it is given or an unknown.
 static void fit_check_set(case_reader *reader, const fit_parts *fit, const fit_set *set) {
     static const char looked_for[] = "is one of the unknowns, expected another parameter";
     const bool varies = fit_value_varies(set);

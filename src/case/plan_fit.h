@@ -34,7 +34,7 @@ typedef struct fit_set {
     condition_parts at;             ///< parameters with their values in its motions
     whirl_key noise_key;            ///< unit and range of its noise
     number_formula noise;           ///< noise of all probes; unused if each channel has its own
-    const parameter *along;         ///< parameter that a threshold is a value of; NULL: the speed
+    const parameter *along;         ///< parameter whose value the threshold is; NULL: the speed
     number_formula value, from, to; ///< a threshold, and values between which it is sought
     size_t channel_count;
     fit_channel channels[FIT_MAX_CHANNELS];

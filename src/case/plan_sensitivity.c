@@ -58,7 +58,7 @@ static bool sensitivity_fits(const whirl_batch *batch) {
 void sensitivity_make(case_reader *reader, const valuation *v, const plan_parts *parts, study_plan *result) {
     const sensitivity_parts *own = &parts->sensitivity;
     if (!own->keys.place || own->count == 0) return;
-    // The parameters with their values, and the numbers.
+    // Collect the parameters with their values, and the numbers.
     whirl_derivatives *derivatives = arena_take(reader->arena, sizeof *derivatives);
     whirl_given *given = arena_take(reader->arena, own->count * sizeof *given);
     whirl_spread_of *numbers = arena_take(reader->arena, (own->asked.count + 1) * sizeof *numbers);
@@ -77,7 +77,8 @@ void sensitivity_make(case_reader *reader, const valuation *v, const plan_parts 
     }
     memcpy(numbers, own->asked.spreads, own->asked.count * sizeof *numbers);
     *derivatives = (whirl_derivatives){own->count, given, own->asked.count, numbers};
-    // The batches; folds of branches need one more derivative, by the branch's own parameter.
+    // Ask for the derivatives at the points of the batches. Folds of branches need one more derivative, by the branch's
+    // own parameter.
     bool any = false;
     for (size_t b = 0; b < result->batch_count; b++) {
         if (!sensitivity_fits(&result->batches[b])) continue;

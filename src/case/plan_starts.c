@@ -8,7 +8,8 @@
 
 #include "problem.h"
 
-/// Returns the scale of a coordinate: the length scale, or a length scale per radian.
+/// Returns the scale of a coordinate of a state in SI: the length scale; for velocities the length scale times the
+/// clock.
 static double state_scale(const whirl_rotor *rotor, const char *key) {
     const double length = whirl_rotor_length_scale(rotor);
     return key[0] == 'v' ? length * whirl_rotor_clock(rotor) : length;

@@ -318,7 +318,7 @@ void tolerances_make(case_reader *reader, valuation *v, const plan_parts *parts,
     const tolerance_parts *own = &parts->tolerances;
     whirl_tolerance_options options = {0};
     if (!own->keys.place || !settings_check(reader, v, &own->keys)) return;
-    // Options and distributions.
+    // Read the options and the distributions.
     settings_take(v, &own->keys, whirl_tolerance_members(), &options);
     options.parameters = (int)own->count;
     const setting *samples = settings_find(&own->keys, "samples"), *starts = settings_find(&parts->study, "starts");
@@ -336,7 +336,7 @@ void tolerances_make(case_reader *reader, valuation *v, const plan_parts *parts,
     memcpy(result->spreads, own->asked.spreads, own->asked.count * sizeof *result->spreads);
     result->tolerated_count = own->count;
     result->spread_count = own->asked.count;
-    // Batches.
+    // Add a batch of samples for each batch that can be sampled.
     size_t sampled = 0;
     const size_t count = result->batch_count;
     for (size_t i = 0; i < count; i++) sampled += is_sampled(&result->batches[i]);

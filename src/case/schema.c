@@ -176,9 +176,10 @@ static const whirl_key fit_data_keys[] = {
                "in place of file: speed at which the machine loses stability, or value of the parameter `along`"),
     NUMBER_KEY("critical", "", "", OPTIONAL, WHIRL_ANY,
                "in place of file: critical speed, or value of the parameter `along` at which a mode whirls once a "
-               "revolution; the one that is nearest to it at the start"),
+               "revolution; at the start of the fit the nearest one is taken"),
     NUMBER_KEY("frequency", "", "Hz", OPTIONAL, WHIRL_POSITIVE,
-               "in place of file: damped frequency of a mode; the one that is nearest to it at the start, or `mode`"),
+               "in place of file: damped frequency of a mode; at the start of the fit the mode `mode`, or the one with "
+               "the nearest frequency, is taken"),
     NUMBER_KEY("damping", "", "1", OPTIONAL, WHIRL_FROM_TO(-1, 1),
                "in place of file: damping ratio of the mode `mode`"),
     CHOICE_KEY("of", DEFAULT("rest"), "rest|orbit",
@@ -186,10 +187,10 @@ static const whirl_key fit_data_keys[] = {
                "ends"),
     CHOICE_KEY("along", OPTIONAL, "", "onset and critical: parameter that varies; absent: the speed"),
     NUMBER_KEY("from", "", "", OPTIONAL, WHIRL_ANY,
-               "onset and critical: value from which it is sought at the start, of an onset of a motion upwards or "
-               "downwards; absent: half the number"),
+               "onset and critical: value from which the search begins at the start of the fit, upwards, or for an "
+               "onset of a motion also downwards; absent: half the number"),
     NUMBER_KEY("to", "", "", OPTIONAL, WHIRL_ANY,
-               "onset and critical: value up to which it is sought at the start; absent: twice the number"),
+               "onset and critical: value at which the search ends at the start of the fit; absent: twice the number"),
     WHOLE_KEY("mode", "", OPTIONAL, WHIRL_FROM_TO(1, 1000),
               "frequency and damping: number of the mode at the start, by rising frequency, of those that are not "
               "overdamped; absent: the nearest frequency"),
@@ -231,12 +232,13 @@ static const whirl_key detail_keys[] = {
 static const whirl_key event_keys[] = {
     CHOICE_KEY("name", OPTIONAL, "", "a name for `after` of later events"),
     NUMBER_KEY("time", "", "s", OPTIONAL, WHIRL_NOT_NEGATIVE,
-               "when it happens, since the beginning or since the event of after"),
-    NUMBER_KEY("speed", "", "rad/s", OPTIONAL, WHIRL_POSITIVE, "speed at which it happens when it is passed"),
-    CHOICE_KEY("passing", DEFAULT("either"), "rising|falling|either", "how the speed passes"),
-    CHOICE_KEY("when", OPTIONAL, "",
-               "a formula or a comparison: it happens once it is not below 0, or holds (time, speed, STATION_x, "
-               "STATION_y, STATION_radius, STATION_vx, STATION_vy, STATION_speed and parameters, in SI)"),
+               "time of the event since the beginning of the run, or since the event that `after` names"),
+    NUMBER_KEY("speed", "", "rad/s", OPTIONAL, WHIRL_POSITIVE, "the event happens when the speed passes this value"),
+    CHOICE_KEY("passing", DEFAULT("either"), "rising|falling|either", "sense in which the speed passes the value"),
+    CHOICE_KEY(
+        "when", OPTIONAL, "",
+        "a formula or a comparison: the event happens once the formula is not below 0, or the comparison holds (time, "
+        "speed, STATION_x, STATION_y, STATION_radius, STATION_vx, STATION_vy, STATION_speed and parameters, in SI)"),
     CHOICE_KEY("after", OPTIONAL, "", "name of the event that must have happened before"),
     CHOICE_KEY("trip", DEFAULT("no"), "yes|no|true|false", "yes: the motor trips; the load stays"),
     CHOICE_KEY("end", DEFAULT("no"), "yes|no|true|false", "yes: the run ends"),
@@ -282,12 +284,13 @@ static const whirl_key distribution_keys[] = {
         "mean of the normal distribution before bounds cut it off; absent: between the bounds, or the case's own "
         "value"),
     NUMBER_KEY("deviation", "", "", OPTIONAL, WHIRL_POSITIVE,
-               "its standard deviation; absent: a sixth of the distance between the bounds"),
+               "standard deviation of the normal distribution; absent: a sixth of the distance between the bounds"),
 };
 
 static const whirl_key dataset_keys[] = {
     CHOICE_KEY("vary", OPTIONAL, "", "parameters in which machines differ, with tolerances as in tolerances"),
-    CHOICE_KEY("conditions", OPTIONAL, "", "parameters in which records differ, such as the speed, likewise"),
+    CHOICE_KEY("conditions", OPTIONAL, "",
+               "parameters in which records differ, such as the speed, with tolerances as in tolerances"),
     CHOICE_KEY("runup", OPTIONAL, "",
                "records are of runs at changing speeds, in place of motions at a constant one: {speed_from: ..., "
                "speed_to: ..., rate: ...}, or {speeds: ...}, as in runup"),
@@ -299,7 +302,7 @@ static const whirl_key label_keys[] = {
     CHOICE_KEY(
         "grade", OPTIONAL, "",
         "parameters that the severity of the fault sets, from 0 (from) to 1 (to): {gap: {from: 90 um, to: 30 um}}"),
-    CHOICE_KEY("vary", OPTIONAL, "", "parameters in which its records differ besides, with tolerances"),
+    CHOICE_KEY("vary", OPTIONAL, "", "further parameters in which records of the label differ, with tolerances"),
 };
 
 static const whirl_key grade_keys[] = {
@@ -311,25 +314,29 @@ static const whirl_key channel_keys[] = {
     CHOICE_KEY("sensor", REQUIRED, "proximity|velocity|accelerometer|keyphasor",
                "proximity: gap, displacement and runout, m; velocity, m/s, and accelerometer, m/s2, of the station; "
                "keyphasor: pulses of an angle of the shaft, from 0 to 1"),
-    CHOICE_KEY("at", OPTIONAL, "", "its station; not for a keyphasor"),
-    CHOICE_KEY("name", OPTIONAL, "", "a name for it; absent: made of sensor, station and number"),
-    ANGLE_KEY("angle", "", "at", "its direction, from the x axis towards y"),
-    NUMBER_KEY("sensitivity", "", "", OPTIONAL, WHIRL_ANY,
-               "volts per unit, such as 7.87 V/mm or 10.2 mV s2/m, of a keyphasor those of a pulse; absent: the signal "
-               "is in the unit of the sensor, and so are noise and full_scale"),
+    CHOICE_KEY("at", OPTIONAL, "", "station of the sensor; not for a keyphasor"),
+    CHOICE_KEY("name", OPTIONAL, "", "name of the channel; absent: made of sensor, station and number"),
+    ANGLE_KEY("angle", "", "at", "direction of the sensor, from the x axis towards y"),
+    NUMBER_KEY(
+        "sensitivity", "", "", OPTIONAL, WHIRL_ANY,
+        "volts per unit, such as 7.87 V/mm or 10.2 mV s2/m, for a keyphasor the volts of a pulse; absent: the signal "
+        "is in the unit of the sensor, and so are noise and full_scale"),
     NUMBER_KEY("gap", "", "m", OPTIONAL, WHIRL_NOT_NEGATIVE,
                "proximity: distance from the shaft at the centre; absent: 0"),
     NUMBER_KEY("from", "", "", OPTIONAL, WHIRL_ANY,
-               "lower end of its range, in the unit of the sensor: below, the signal stays there"),
-    NUMBER_KEY("to", "", "", OPTIONAL, WHIRL_ANY, "upper end of its range"),
+               "lower end of the sensor's range, in its unit: the signal is clipped there"),
+    NUMBER_KEY("to", "", "", OPTIONAL, WHIRL_ANY, "upper end of the sensor's range, where the signal is clipped, too"),
     NUMBER_KEY("resonance", "", "Hz", OPTIONAL, WHIRL_POSITIVE, "accelerometer: natural frequency of its mass"),
-    NUMBER_KEY("damping", "", "1", DEFAULT("0.05"), WHIRL_FROM_TO(1e-6, 0.999), "its damping ratio"),
+    NUMBER_KEY("damping", "", "1", DEFAULT("0.05"), WHIRL_FROM_TO(1e-6, 0.999),
+               "accelerometer: damping ratio of its mass"),
     NUMBER_KEY("high_pass", "", "Hz", OPTIONAL, WHIRL_POSITIVE, "corner of a high pass of the first order"),
     NUMBER_KEY("noise", "", "", OPTIONAL, WHIRL_NOT_NEGATIVE, "standard deviation of white noise at the converter"),
-    WHOLE_KEY("bits", "", OPTIONAL, WHIRL_FROM_TO(4, 32), "of the converter; absent: signals are not rounded"),
-    NUMBER_KEY("full_scale", "", "", OPTIONAL, WHIRL_POSITIVE, "its range reaches from minus this to this; with bits"),
+    WHOLE_KEY("bits", "", OPTIONAL, WHIRL_FROM_TO(4, 32),
+              "number of bits of the converter; absent: signals are not rounded"),
+    NUMBER_KEY("full_scale", "", "", OPTIONAL, WHIRL_POSITIVE,
+               "the converter's range is from minus this to this; with bits"),
     WHOLE_KEY("pulses", "", DEFAULT("1"), WHIRL_FROM_TO(1, 100000), "keyphasor, encoder: pulses of a turn"),
-    NUMBER_KEY("width", "", "rad", DEFAULT("0.1"), WHIRL_POSITIVE, "their width, an angle of the shaft"),
+    NUMBER_KEY("width", "", "rad", DEFAULT("0.1"), WHIRL_POSITIVE, "width of the pulses, an angle of the shaft"),
     NUMBER_KEY("jitter", "", "rad", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "standard deviation of the angle of each pulse"),
 };
 
@@ -478,7 +485,7 @@ static const whirl_key claim_keys[] = {
     CHOICE_KEY(
         "changes", OPTIONAL, "",
         "a list of changes that branches have in the range: fold, crossing, doubling, neimark-sacker, hopf, grazing"),
-    CHOICE_KEY("unchanged", OPTIONAL, "", "a list of changes that they do not have there"),
+    CHOICE_KEY("unchanged", OPTIONAL, "", "a list of changes that branches do not have in the range"),
     CHOICE_KEY("sense", OPTIONAL, "supercritical|subcritical",
                "supercritical or subcritical: sense of the first of the changes"),
     NUMBER_KEY("orders", "", "", OPTIONAL, WHIRL_POSITIVE,

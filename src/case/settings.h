@@ -51,7 +51,7 @@ size_t setting_numbers(const setting *item, const setting **first);
 /// Returns the size of the text of a list with expressions; 1 for other lists.
 size_t setting_list_size(const setting *item);
 
-/// Writes the numbers of such a list as rotors read them: "1, 2; 3, 4". Errors as valuation_number.
+/// Writes the numbers of a list with expressions as rotors read them: "1, 2; 3, 4". Errors as valuation_number.
 whirl_status setting_list_text(valuation *v, const setting *item, char *text);
 
 /// Evaluates expressions and reports values that are missing or out of range. Returns false if there are any.
@@ -75,7 +75,7 @@ const char *settings_word(const setting_list *settings, const char *key);
 /// Returns true if the word of a choice (or its default) is yes or true.
 bool settings_yes(const setting_list *settings, const char *key);
 
-/// Sets the members of a struct that this part describes to the given values, or their defaults. Only after
+/// Sets the members of `object` that `table` describes to the values of their keys, or their defaults. Only after
 /// settings_check.
 void settings_take(valuation *v, const setting_list *settings, const whirl_member *table, void *object);
 

@@ -91,7 +91,7 @@ static void read_heading(readings_table *table, char *text, int column) {
                         advice);
         return;
     }
-    // Refuse a second column of it, and add the column.
+    // Refuse a second column of that key, and add the column.
     for (size_t c = 0; c < table->count; c++)
         if (strcmp(table->columns[c].key, names[found]) == 0)
             problem_in_file(table->reader->problems, table->line, column, "is a second column %s", names[found]);

@@ -75,7 +75,7 @@ static void warn_of_masses(warner *w, valuation *v) {
         snprintf(path + strlen(path), sizeof path - strlen(path), ".mass");
         snprintf(text, sizeof text,
                  "is %.3g of the largest mass of a station: rounding of its accelerations hides slow modes, expected "
-                 "%.0g of it or more, which changes them as little",
+                 "%.0g of it or more, which does not change slow modes either",
                  mass / largest, least);
         warn(w, path, text);
     }

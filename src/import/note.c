@@ -19,9 +19,9 @@ static const char *const sentences[NOTE_KINDS] = {
     [NOTE_LEAKAGE] = "The leakage of seals is left out: %s.",
     [NOTE_NOTHING_LATERAL] = "Sections without lateral coefficients are left out: %s.",
     [NOTE_SKEW_MASS] =
-        "Modes here may be damped otherwise than in ROSS: unequal added masses mxy and myx become their mean, for "
-        "inertia is symmetric here. Half their difference, behind each name, is lost; it acts on a mode that whirls at "
-        "omega like a damping of omega times it, to be compared with cxx: %s.",
+        "Modes here may be damped otherwise than in ROSS: unequal added masses mxy and myx become their mean, since "
+        "inertia is symmetric here. Half of their difference, given after each name, is lost. On a mode that whirls at "
+        "omega it acts like a damping of omega times this mass; compare that with cxx: %s.",
     [NOTE_THINNED] = "Tables of more speeds than a bearing takes here are thinned, evenly: %s.",
     [NOTE_EXTRA] = "Keys for the computation of coefficients are left out; the coefficients of the file are used: %s.",
     [NOTE_UNKNOWN] = "Keys that are not known here are left out: %s.",

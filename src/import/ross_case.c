@@ -198,13 +198,13 @@ static void put_shafts(FILE *out, const ross_rotor *rotor, const char *material)
 static void put_piece(FILE *out, const ross_rotor *rotor, const ross_piece *piece, bool layer, const char *material) {
     static const char *const outer[] = {"outer", "outer_end"}, *const inner[] = {"inner", "inner_end"};
     char text[QUANTITY_SIZE], comment[COMMENT_SIZE], shaft[WHIRL_NAME_SIZE];
-    // Shaft and length.
+    // Write the shaft and the length.
     page_line line = page_open(out, 16, "    - segment: {");
     shaft_name(rotor, piece->shaft, shaft);
     if (rotor->shaft_count > 1) page_item(&line, "shaft: %s", shaft);
     page_quantity(piece->length, "m", text);
     page_item(&line, "length: %s", text);
-    // Diameters of both ends, or of one if they are equal.
+    // Write the diameters of both ends, or of one if they are equal.
     const bool conical = piece->outer[0] != piece->outer[1] || piece->inner[0] != piece->inner[1];
     for (int end = 0; end < 1 + conical; end++) {
         page_quantity(piece->outer[end], "m", text);
@@ -212,7 +212,7 @@ static void put_piece(FILE *out, const ross_rotor *rotor, const ross_piece *piec
         page_quantity(piece->inner[end], "m", text);
         if (piece->inner[0] != 0.0 || piece->inner[1] != 0.0) page_item(&line, "%s: %s", inner[end], text);
     }
-    // Place, material and options.
+    // Write the place, the material and the options.
     page_quantity(piece->start, "m", text);
     if (layer) page_item(&line, "start: %s", text);
     if (rotor->material_count > 1) page_item(&line, "material: %s", material);
@@ -231,7 +231,7 @@ static void put_station(FILE *out, const ross_rotor *rotor, const ross_station *
     char text[QUANTITY_SIZE], head[WHIRL_NAME_SIZE + 16], comment[COMMENT_SIZE], shaft[WHIRL_NAME_SIZE];
     const bool on_shaft = at->place && at->place->shaft != ROSS_NO_SHAFT;
     snprintf(head, sizeof head, "    %s: {", at->name);
-    // Place on the shaft.
+    // Write the place on the shaft.
     page_line line = page_open(out, (int)strlen(head), head);
     if (on_shaft) {
         shaft_name(rotor, at->place->shaft, shaft);
@@ -239,7 +239,7 @@ static void put_station(FILE *out, const ross_rotor *rotor, const ross_station *
         page_quantity(at->place->position, "m", text);
         page_item(&line, "position: %s", text);
     }
-    // Masses.
+    // Write the masses.
     const struct {
         const char *key, *unit;
         double number;

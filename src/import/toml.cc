@@ -64,7 +64,7 @@ void copy_members(memory_arena *arena, value *to, const toml::table &table, int 
 
 value *copy(memory_arena *arena, value *parent, const std::string_view *key, const toml::node &node, int depth) {
     if (depth > VALUE_MAX_DEPTH) throw std::length_error("");
-    // Tables and lists, with their members.
+    // Copy tables and lists, with their members.
     if (const toml::table *table = node.as_table()) {
         value *const made = add(arena, parent, VALUE_TABLE, key, node);
         copy_members(arena, made, *table, depth + 1);
@@ -75,7 +75,7 @@ value *copy(memory_arena *arena, value *parent, const std::string_view *key, con
         for (const toml::node &item : *list) copy(arena, made, nullptr, item, depth + 1);
         return made;
     }
-    // Texts, truths, numbers and dates.
+    // Copy texts, truths, numbers and dates.
     if (const toml::value<std::string> *text = node.as_string()) {
         value *const made = add(arena, parent, VALUE_TEXT, key, node);
         if (!value_set_text(arena, made, text->get().data(), text->get().size())) throw std::bad_alloc();

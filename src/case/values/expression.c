@@ -136,7 +136,7 @@ struct expression_evaluator {
     muParserHandle_t parser;
 };
 
-/// Is the error handler, which does nothing, since errors are asked for later. Without a handler the C interface of
+/// Error handler of muParser. It does nothing, since errors are asked for later. Without a handler the C interface of
 /// muParser writes errors to standard output.
 static void remember_only(muParserHandle_t parser) {
     (void)parser;

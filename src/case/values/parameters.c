@@ -253,7 +253,7 @@ bool formula_read(case_reader *reader, const file_node *where, const whirl_key *
         return false;
     }
     const char *expression = expression_of(where->text);
-    // An expression: its names, and its unit if that is known.
+    // Read an expression: check its names, and its unit if that is known.
     if (expression) {
         if (!read_expression(reader, reader->parameters, where, expression, result)) return false;
         note_use(reader->parameters, result->expression, key->unit);
@@ -263,7 +263,7 @@ bool formula_read(case_reader *reader, const file_node *where, const whirl_key *
             problem_at(reader->problems, where, "= %s %s", text_shown(expression, shown), why);
         return false;
     }
-    // A number, with or without a unit.
+    // Read a number, with or without a unit.
     quantity read;
     if (!quantity_read(where->text, key->unit, &read, why)) {
         problem_at(reader->problems, where, "%s", why);

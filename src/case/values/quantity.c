@@ -312,12 +312,12 @@ static bool read_quantity(const char *text, const char *expected, quantity *resu
     *result = (quantity){.unit = "1"};
     describe_expected(expected, expectation);
     text_shown(text, shown);
-    // The number.
+    // Read the number.
     if (!quantity_number(text, &result->value, &end)) {
         snprintf(why, WHY_SIZE, "is %s, expected %s", text[0] ? shown : "empty", expectation);
         return false;
     }
-    // The unit after a space.
+    // Read the unit after a space.
     bool done = true;
     if (*end == ' ') {
         lock_take(&units_lock);

@@ -235,7 +235,8 @@ whirl_status building_assemble(building *b, const whirl_design *design, const si
     b->assembly.balanced = false;
     for (size_t i = 0; i < design->placed_count && status.code == WHIRL_OK; i++)
         assembly_unbalance(&b->assembly, design->placed[i].station, design->placed[i].moment, design->placed[i].angle);
-    // With bearings alone, their forces act on the stations' own masses.
+    // With bearings alone, drop the coupling of accelerations by mass: the forces of bearings act on the stations' own
+    // masses.
     if (design->bearings == WHIRL_BEARINGS_ALONE) b->assembly.mass_count = 0;
     return status.code == WHIRL_OK ? check_aside(b) : status;
 }

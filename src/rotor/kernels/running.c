@@ -114,12 +114,12 @@ static vec running_by_torques(const running_vector *own, vec w, vec c, vec s) {
     const running_rotor *r = own->r;
     const vec speed = v_mul(w, running_shaft_number(own, SHAFT_UNIT)), square = v_mul(w, w);
     const vec pull[3] = {running_shaft_number(own, SHAFT_PULL), running_shaft_number(own, SHAFT_PULL + 1), v_set(0.0)};
-    // The motor, its load, and friction.
+    // Sum the torques of the motor, its load, and friction.
     const vec motor = v_fnma(running_shaft_number(own, SHAFT_FALL), speed, running_shaft_number(own, SHAFT_MOTOR));
     const vec slope = v_fma(running_shaft_number(own, SHAFT_QUADRATIC), speed, running_shaft_number(own, SHAFT_LINEAR));
     const vec load = v_fma(speed, slope, running_shaft_number(own, SHAFT_LOAD));
     const vec whole = v_sub(v_sub(motor, load), running_friction(own));
-    // Unbalances as levers.
+    // Add the unbalances, which act as levers.
     vec reaction = v_set(0.0), inertia = running_shaft_number(own, SHAFT_INERTIA);
     for (size_t way = 0; way < 2; way++) {
         const vec lever = v_fms(running_shaft_number(own, SHAFT_GUIDED + 2 * way), s,
@@ -157,14 +157,14 @@ void ISA(running_flow)(const lanes_view *view) {
     const running_rotor *r = view->model;
     const lanes_view rotors = running_rotor_view(view);
     const vec way = v_set(r->rotor->way);
-    // The rotors at constant speeds.
+    // Compute the slopes of the rotors at constant speeds.
     running_put_numbers(view, 1.0);
     ISA(machine_flow)(&rotors);
     if (r->driven && r->rotor->contact_count > 0) {
         vec *force = (vec *)view->numbers + r->lanes.contacts * view->stride;
         ISA(machine_contacts)(&rotors, force, force + r->rotor->contact_count * view->stride);
     }
-    // The shafts.
+    // Compute the slopes of the shafts' speeds and times.
     for (size_t k = 0; k < view->vectors; k++) {
         const running_vector own = running_vector_of(view, k);
         const vec w = running_speed(&own);

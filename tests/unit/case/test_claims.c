@@ -98,7 +98,7 @@ static void wrong_claims_of_branches_are_refused(void **state) {
     expect_item_problem("at: 1, changes: [hof]", "c:5:48: items[1].changes[1]: is hof, did you mean hopf?");
     expect_item_problem("at: 1, unchanged: hopf",
                         "c:5:49: items[1].unchanged: is hopf, expected a list of 1 to 6 kinds of special points");
-    expect_item_problem("at: 1, sense: subcritical", "c:5:5: items[1]: says a sense, expected changes that have it");
+    expect_item_problem("at: 1, sense: subcritical", "c:5:5: items[1]: has a sense and no changes, expected both");
     expect_item_problem("at: 1, given: q", "c:5:5: items[1]: expected given, given_from and given_to together");
     expect_item_problem("at: 1, regions: 0", "c:5:47: items[1].regions: is 0, expected a whole number from 1 to 99");
 }

@@ -456,9 +456,9 @@ static void test_no_rotor(void **state) {
 }
 
 #define SKEW_MASS                                                                                                      \
-    "Modes here may be damped otherwise than in ROSS: unequal added masses mxy and myx become their mean, for "        \
-    "inertia is symmetric here. Half their difference, behind each name, is lost; it acts on a mode that whirls at "   \
-    "omega like a damping of omega times it, to be compared with cxx: "
+    "Modes here may be damped otherwise than in ROSS: unequal added masses mxy and myx become their mean, since "      \
+    "inertia is symmetric here. Half of their difference, given after each name, is lost. On a mode that whirls at "   \
+    "omega it acts like a damping of omega times this mass; compare that with cxx: "
 #define HUTCHINSON                                                                                                     \
     "ROSS's own frequencies are lower, by 0.1 to 0.5 % in the first mode of shafts 20 to 5 times as long as thick, "   \
     "by more in higher ones: its shear factor has 1 + nu where Hutchinson's has (1 + nu)^2: "
