@@ -83,7 +83,7 @@ whirl_status whirl_user_system_station(whirl_user_system *system, const char *na
 whirl_status whirl_user_system_oscillates(whirl_user_system *system, size_t displacements);
 
 /// Sets a function of the slopes of one machine. It replaces an earlier function of whirl_user_system_rates or
-/// whirl_user_system_lanes. `context` is passed to it. A run calls it once more at the start, and ends with
+/// whirl_user_system_lanes. `context` is passed to it. A run first calls it once as a test, and ends with
 /// WHIRL_BAD_INPUT if it changes x or p or leaves a slope unwritten, as a function with another signature does.
 whirl_status whirl_user_system_rates(whirl_user_system *system, whirl_user_rates_fn rates, void *context);
 
@@ -186,8 +186,8 @@ whirl_status whirl_user_system_follow(const whirl_user_system *system, const dou
                                       whirl_user_motion **out);
 void whirl_user_motion_free(whirl_user_motion *motion); ///< Frees a motion; accepts NULL.
 
-/// Returns the states [*count][dimension] at the instants that were reached; at an instant of an event that before it.
-/// They last as long as the motion.
+/// Returns the states [*count][dimension] at the instants that were reached; at the instant of an event, the state
+/// before it. They last as long as the motion.
 const double *whirl_user_motion_states(const whirl_user_motion *motion, size_t *count);
 
 /// Returns the number of events that happened.

@@ -13,7 +13,8 @@
 /// A sum below this part of its summands is doubtful: it may be rounding.
 static const double doubtful = 1e-8;
 
-/// Remainder that rounding of the matrix may leave, as a multiple of what one rounding of each number leaves.
+/// Largest remainder that counts as rounding of the matrix, in units of the remainder that one rounding of each number
+/// can leave.
 static const double roundings = 100.0;
 
 /// An elimination with exchange of rows and columns.
@@ -92,7 +93,8 @@ static void sum_rows(const elimination *e, size_t free, double *out) {
 }
 
 /// If no remainder is clear, finds the one that exceeds the rounding of the matrix most. A remainder is u' A v, where u
-/// is the combination of rows and v the displacement. Roundings of A make up to |u|' |A| |v| of it.
+/// is the combination of rows and v the displacement. One rounding of each number of A changes the remainder by at most
+/// |u|' |A| |v| times the rounding unit.
 static bool find_doubtful_pivot(const elimination *e, size_t *row, size_t *column) {
     const size_t n = e->n, rank = e->rank, left = n - rank;
     double *pivots = e->work, *sums = pivots + left * rank, *moved = sums + left * rank, most = roundings;

@@ -13,7 +13,7 @@
 #include "whirl/engine/linear.h"
 
 /// Computes the first harmonic [count][2] of what the forcing adds to the slope at the equilibrium. Phases that turn
-/// once per revolution do so here.
+/// once per revolution are turned, too.
 static void take_forcing(mean_system *m, const double *x, double *out) {
     enum { INSTANTS = 32 };
     const whirl_system *system = m->system;

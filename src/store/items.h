@@ -21,6 +21,7 @@ typedef struct texts {
 
 // ---------------------------------------------------------------- writing (put.c)
 
+/// Write an attribute of an object: a text, a list of texts, a double, or a whole number (int64_t).
 void put_text_attribute(whirl_status *status, hid_t object, const char *name, const char *text);
 void put_texts_attribute(whirl_status *status, hid_t object, const char *name, texts list);
 void put_number_attribute(whirl_status *status, hid_t object, const char *name, double value);
@@ -84,6 +85,8 @@ size_t get_texts_attribute(whirl_status *status, hid_t object, const char *name,
 size_t get_attribute_count(whirl_status *status, hid_t object, size_t most);
 void get_attribute_name(whirl_status *status, hid_t object, size_t index, char *name, size_t size);
 
+/// Open a group or a dataset by its path below `parent`; negative on failure. The caller closes it (close_group,
+/// close_dataset).
 hid_t get_group(whirl_status *status, hid_t parent, const char *name);
 hid_t get_dataset(whirl_status *status, hid_t parent, const char *name);
 

@@ -306,17 +306,17 @@ typedef struct whirl_resting {
 
 /// Computes kxx, kxy, ... of the bearings at a speed (rad/s) about the machine's equilibrium, coefficients
 /// [probe_count][8] as in whirl_bearing_coefficients; 0 for a cavitating film with a centred journal, whose derivatives
-/// depend on the side. Errors as these.
+/// depend on the side. Errors as whirl_bearing_coefficients.
 whirl_status whirl_bearings_at(const whirl_resting *point, double speed, double *coefficients);
 
 /// Fills `block` [layout->size] with analyses of machines at rest. Errors as whirl_forced_response.
 whirl_status whirl_analyze_resting(const whirl_resting *point, const whirl_record_options *options,
                                    whirl_analysis_set set, const whirl_layout *layout, double *block);
 
-/// Fills the blocks [count][layout->size] of points as whirl_analyze_resting does. statuses [count]: points with an
-/// error are left out, with a block of missing numbers; the others get their own. Run-ups are carried together, in
-/// vector lanes where these take their machines; no bit of a block depends on the other points. If there are several
-/// points, none may be a measured run. WHIRL_NO_MEMORY.
+/// Fills the blocks [count][layout->size] of points as whirl_analyze_resting does. statuses [count]: on entry, points
+/// with an error are left out, and their blocks get missing numbers; on return, the statuses of all other points.
+/// Run-ups are carried together, in vector lanes where these take their machines; no bit of a block depends on the
+/// other points. If there are several points, none may be a measured run. WHIRL_NO_MEMORY.
 whirl_status whirl_analyze_resting_together(size_t count, const whirl_resting *points,
                                             const whirl_record_options *options, whirl_analysis_set set,
                                             const whirl_layout *layout, double *const *blocks, whirl_status *statuses);

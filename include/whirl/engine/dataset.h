@@ -65,10 +65,11 @@ typedef struct whirl_dataset {
 size_t whirl_dataset_records(const whirl_dataset_options *options);
 
 /// Returns the time, s, from the beginning of a run to the first sample of its record, in which the shaft turns at the
-/// first speed of the run's law, rad/s; 0 for a shaft that stands then.
+/// first speed of the run's law, rad/s; 0 if that speed is 0.
 double whirl_dataset_lead(const whirl_dataset_options *options, double speed);
 
-/// Returns the duration, s, of the run of a record with that lead: samples, and what the filters need after them.
+/// Returns the duration, s, of the run of a record with that lead: lead, samples, and the time that the filters need
+/// after the samples.
 double whirl_dataset_duration(const whirl_dataset_options *options, double lead);
 
 /// The set that a record belongs to.

@@ -113,7 +113,7 @@ typedef struct whirl_fit_unknown {
     double start, low, high; ///< SI; infinite bounds: none
 } whirl_fit_unknown;
 
-/// A problem of a fit: unknown parameters, motions, and the numbers measured of them.
+/// A problem of a fit: unknown parameters, motions, and the measured numbers of the motions.
 typedef struct whirl_fit {
     size_t unknown_count, motion_count, number_count; ///< lengths of the lists
     const whirl_fit_unknown *unknowns;                ///< [unknown_count] borrowed

@@ -111,9 +111,10 @@ whirl_status whirl_integrator_follow(whirl_integrator *integrator, size_t most);
 
 /// Does whirl_integrator_revolve with perturbations by the variational equations: the exact derivative of the method's
 /// steps and, at switches at which the right-hand side jumps, the saltation matrix. Call whirl_integrator_follow first.
-/// With fixed steps the motion is the same to the bit. The steps of an adaptive method satisfy two tolerances: the
-/// state's own, and rtol of the length of every perturbation (at an equilibrium the state's alone would allow steps of
-/// any length). CVODE integrates the equations of the perturbation with the motion, and volume stays NaN.
+/// With fixed steps the motion is to the bit the same as without perturbations. The steps of an adaptive method satisfy
+/// two tolerances: the state's own, and rtol of the length of every perturbation (at an equilibrium the state's alone
+/// would allow steps of any length). CVODE integrates the equations of the perturbation with the motion, and volume
+/// stays NaN.
 whirl_motion whirl_integrator_carry(whirl_integrator *integrator, double *x, whirl_perturbations *perturbations,
                                     whirl_observe_fn observe, void *observer);
 
@@ -154,8 +155,8 @@ bool whirl_step_is_unstable(const whirl_step_check *check);
 /// Checks the steps of a fixed-step method at 17 equally spaced phases of the revolution from `start` [dimension]:
 /// their stability, and the error of the method's own end of that revolution, `end` [dimension] or NULL. dop853
 /// computes the exact revolution within `tolerance` (absolute, in the state's units), unless the steps are unstable at
-/// its beginning. For methods with a tolerance: growth 1 and NaN. WHIRL_NO_MEMORY; WHIRL_BAD_INPUT as
-/// whirl_integrator_new.
+/// its beginning. For methods with a tolerance growth is 1, and error and reach are NaN. WHIRL_NO_MEMORY;
+/// WHIRL_BAD_INPUT as whirl_integrator_new.
 whirl_status whirl_step_check_revolution(const whirl_system *system, const whirl_integrate_options *options,
                                          const double *start, const double *end, double tolerance,
                                          whirl_step_check *check);

@@ -81,7 +81,7 @@ whirl_status whirl_modes_new(const whirl_system *system, const double *start, wh
 /// Makes the machine at any frequency of whirl (rad/s), which the caller releases.
 typedef struct whirl_whirling {
     whirl_status (*at)(const void *context, double frequency, whirl_machine *machine); ///< makes the machine
-    const void *context;                                                               ///< passed to it; borrowed
+    const void *context;                                                               ///< passed to `at`; borrowed
 } whirl_whirling;
 
 /// Computes the modes of a machine. If its coefficients depend on the frequency of whirl (whirl_system.frequencies),
@@ -117,8 +117,8 @@ whirl_status whirl_modes_match(const whirl_modes *from, const whirl_modes *to, d
 /// motion. Errors as whirl_modes_new, and for an unbounded response.
 whirl_status whirl_forced_response(const whirl_system *system, const double *start, double *rest, double *response);
 
-/// Returns WHIRL_BAD_INPUT with a sentence if coefficients depend on the frequency of whirl and are not known at that
-/// of the shaft's speed (rad/s, of either sign).
+/// Returns WHIRL_BAD_INPUT with a sentence if coefficients depend on the frequency of whirl and are not known at the
+/// frequency of the shaft's speed (rad/s, of either sign).
 whirl_status whirl_synchronous_check(const whirl_system *system, double speed);
 
 /// Computes stiffness and damping of the bearings of a machine of bearings only (WHIRL_BEARINGS_ALONE) on stations of 1

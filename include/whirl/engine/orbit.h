@@ -37,8 +37,8 @@ typedef struct whirl_orbit_options {
 /// tolerance 1e-12, 25 steps.
 whirl_orbit_options whirl_orbit_default(void);
 
-/// A Floquet multiplier: factor of a small perturbation over the orbit's period. For an equilibrium an eigenvalue of
-/// its Jacobian: growth rate of perturbations in the system's unit of time.
+/// A Floquet multiplier: factor of a small perturbation over the orbit's period. For an equilibrium it is an eigenvalue
+/// of the Jacobian: a growth rate of perturbations in the system's unit of time.
 typedef struct whirl_multiplier {
     double real, imaginary; ///< real and imaginary part
 } whirl_multiplier;
@@ -65,8 +65,8 @@ typedef struct whirl_orbit {
     size_t multiplier_count;
     whirl_multiplier *multipliers; ///< [dimension] by falling modulus; eigenvalues of equilibria by falling real part
     /// Sum of ln|multiplier| from the divergence along the orbit (Liouville) and the saltations; NaN if the system has
-    /// no divergence or the motion slides along a switch; for equilibria the sum of eigenvalues. Small multipliers
-    /// agree with it.
+    /// no divergence or the motion slides along a switch; for equilibria the sum of eigenvalues. It checks the
+    /// multipliers, the small ones included.
     double volume;
     /// Number of multipliers outside the unit circle, without the one for shifts; of an equilibrium growing
     /// eigenvalues.

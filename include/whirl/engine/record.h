@@ -156,7 +156,7 @@ typedef struct whirl_record_options {
     bool settle;
     int modes;             ///< number of modes in results, >= 1
     int orders;            ///< highest order of the speed that excites torsion; all orders from 1 on do; 0: none
-    double line_frequency; ///< mains frequency, Hz, which excites torsion, as does twice of it; 0: none
+    double line_frequency; ///< mains frequency, Hz; it and twice this frequency excite torsion; 0: none
     double running_low, running_high; ///< range of running speed, rad/s; 0: not given
     double trip;                      ///< speed, rad/s, up to which clearances are checked; 0: all speeds
     double probe_angle;               ///< angle of the first probe of every station, rad from the x axis towards y
@@ -203,9 +203,9 @@ whirl_status whirl_record_options_check(const whirl_record_options *options);
 whirl_status whirl_record_check(const whirl_system *system, const whirl_integrate_options *integrate,
                                 const whirl_record_options *options);
 
-/// Accuracy of the steps for a motion. For fixed steps it comes from the equations. For methods with a tolerance it
-/// comes from the motion's size over the absolute tolerance: growth is NaN, and error is NaN if the tolerance is fine
-/// enough.
+/// Accuracy of the steps for a motion. For fixed steps it is computed from the equations. For methods with a tolerance
+/// it is estimated from the motion's size over the absolute tolerance: growth is NaN, and error is NaN if the tolerance
+/// is fine enough.
 typedef struct whirl_step_quality {
     double growth; ///< whirl_step_check.growth of the checked revolutions: above 1 the step is unstable
     double error;  ///< error of a revolution by the steps, over the size of the motion
@@ -218,7 +218,7 @@ typedef enum whirl_orbit_search {
     WHIRL_ORBIT_UNSOUGHT = 0,
     WHIRL_ORBIT_STABLE,    ///< the motion is on the orbit, and all multipliers are inside the unit circle
     WHIRL_ORBIT_UNSTABLE,  ///< a multiplier is on the unit circle or beyond it
-    WHIRL_ORBIT_ELSEWHERE, ///< the nearest orbit is not that of the motion
+    WHIRL_ORBIT_ELSEWHERE, ///< an orbit was found, but the motion is too far from it
     WHIRL_ORBIT_NONE       ///< Newton's method found none
 } whirl_orbit_search;
 

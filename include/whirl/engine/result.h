@@ -148,8 +148,8 @@ double whirl_result_clock(const whirl_result *result);
 /// Returns the element of that phase ("force at disc"), "" for the shaft; borrowed.
 const char *whirl_result_keyphasor(const whirl_result *result);
 
-/// Returns the fact "film tables": the film tables of machines of the study (number and checksum), from up to 64
-/// points spread over it; "" if there are none. Borrowed.
+/// Returns the fact "film tables": the film tables of machines of the study (number and checksum), from up to 64 points
+/// spread over the study; "" if there are none. Borrowed.
 const char *whirl_result_film_tables(const whirl_result *result);
 
 /// Returns true if the motion of a point began at the end of a neighbour's.
@@ -166,8 +166,8 @@ void whirl_table_cover(const whirl_table *table, size_t *cover);
 /// Returns the mean revolutions of motions of a table, over points that are done; NaN if it has no verdicts.
 double whirl_table_revolutions(const whirl_table *table);
 
-/// Returns the revolutions for all points of a refined map's grid, if each took as many as the point that stands for
-/// it; NaN if that is not known, or memory is exhausted.
+/// Returns the revolutions that a refined map's whole grid would take, if each point took as many as the point that
+/// stands for it; NaN if that is not known, or memory is exhausted.
 double whirl_table_grid_revolutions(const whirl_table *table);
 
 /// Counts the points of the study in all tables and those that are done; returns true for a partial result.

@@ -121,8 +121,8 @@ void whirl_design_drag(whirl_design *design, whirl_drag what, size_t station, do
 void whirl_design_frequency(whirl_design *design, double frequency);
 
 /// Requests a rotor for motions in time: rational functions with states of their own replace coefficients that depend
-/// on the frequency of whirl; whirl_rotor_note reports them. whirl_rotor_new returns WHIRL_BAD_INPUT if one differs
-/// from its table by more than the bearing's fit_error.
+/// on the frequency of whirl; whirl_rotor_note reports them. whirl_rotor_new returns WHIRL_BAD_INPUT if such a function
+/// differs from its table by more than the bearing's fit_error.
 void whirl_design_in_time(whirl_design *design);
 
 /// Replaces all unbalances that turn with the rotor (of stations, discs and elements `unbalance`, and skew) by
@@ -148,7 +148,7 @@ whirl_weight whirl_design_weight(const whirl_design *design);
 /// lying shafts. couplings: names of stations, separated by blanks. The bearings after the first two of a shaft are
 /// raised by the least elevations that leave neither moment nor shear at these stations (mean of both sides).
 /// WHIRL_BAD_INPUT if there is no such shaft, one has fewer than two bearings or shares one with another shaft, a name
-/// is not a station of a shaft, or no elevations do so.
+/// is not a station of a shaft, or no elevations make moment and shear vanish.
 whirl_status whirl_design_statics(const whirl_design *design, const char *couplings, whirl_station_statics *out,
                                   double *influence);
 
@@ -184,7 +184,8 @@ whirl_status whirl_design_shafts(const whirl_design *design, whirl_shaft_summary
 /// A rotor built from a design.
 typedef struct whirl_rotor whirl_rotor;
 
-/// No element, in place of its index in the order in which the design received them.
+/// Stands for "no element" in place of an element's index, which counts elements from 0 in the order in which the
+/// design received them.
 #define WHIRL_NO_ELEMENT ((size_t)-1)
 
 /// Receives a problem, and the index of its element or WHIRL_NO_ELEMENT.

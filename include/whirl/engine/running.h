@@ -25,7 +25,8 @@
 extern "C" {
 #endif
 
-/// Maximum number of events of the course of a run; of numbers of a speed table; index that stands for no event.
+/// Maximum number of events in the course of a run; maximum number of rows of a speed table; index that stands for no
+/// event.
 enum { WHIRL_MAX_EVENTS = 16, WHIRL_MAX_SPEEDS = 256, WHIRL_NO_EVENT = WHIRL_MAX_EVENTS };
 
 /// An event of a run: it happens once, as soon as one of its conditions holds.

@@ -109,8 +109,8 @@ typedef struct whirl_batch {
     const struct whirl_derivatives *derivatives; ///< derivatives of every point's numbers; borrowed; NULL: none
     const whirl_fit *fit;                        ///< fit of parameters to measured numbers; borrowed; NULL: none
     const whirl_mapped *mapped;                  ///< NULL, or memory of large `values`; borrowed
-    /// Requested machine: its stop (whirl_system.stop), and that of film tables made for it; in the batch itself NULL,
-    /// because runs set that of their options. Borrowed.
+    /// Requested machine: the flag that ends its motions (whirl_system.stop), and the making of its film tables. NULL
+    /// in the batch itself, since runs set the flag of their options. Borrowed.
     const whirl_stop *stop;
 } whirl_batch;
 
@@ -220,10 +220,10 @@ struct whirl_point_store {
 };
 
 /// A dealer: deals points of a study to several runs that compute it at the same time, each with a store of its own.
-/// Points are dealt in pieces: a point and its confirmation one by one, each direction of a carried sweep as a whole,
-/// confirmed by the run that followed it, neighbours at rest by eights, run-ups one by one. Branches and tori are not
-/// dealt: the gathering run follows them. No bit of a result depends on the dealing. `open` and `claim` are called by
-/// one thread at a time.
+/// Points are dealt in pieces. A piece is a single point, or the confirmation of one; a whole direction of a carried
+/// sweep, which is confirmed by the run that computed it; eight neighbours at rest; or one run-up. Branches and tori
+/// are not dealt: the gathering run follows them. No bit of a result depends on the dealing. `open` and `claim` are
+/// called by one thread at a time.
 typedef struct whirl_dealer {
     int threads; ///< threads of all runs together
     /// Returns true if a point, given by a store's batch and slot, is to be computed by one of the runs: false if it
@@ -290,9 +290,9 @@ double whirl_halton(size_t index, size_t coordinate);
 /// Returns the options of finding orbits along the branches of a batch. Replace the method "auto" before.
 whirl_orbit_options whirl_batch_orbits(const whirl_batch *batch);
 
-/// Returns the revolutions of all points without refinement, as a budget counts them: at n times the steps of the study
-/// n times. For a refined map those of the corners of its first squares, the only points known before it runs; starts
-/// from neighbours are not included.
+/// Returns the revolutions of all points without refinement, as a budget counts them: a revolution at n times the steps
+/// of the study counts n times. For a refined map those of the corners of its first squares, the only points known
+/// before it runs; starts from neighbours are not included.
 double whirl_study_revolutions(const whirl_study *study);
 
 /// Builds the result of a study before any point is computed: tables without blocks, and the film tables of

@@ -49,7 +49,7 @@ typedef struct whirl_probe {
     size_t shaft;    ///< number of the finite-element shaft of the station, from 1; 0: none
     double position; ///< along that shaft, m
     bool along_y;    ///< for y = x: the coordinate is along y
-    /// For y = x: the coordinate is the twist about the shaft's axis; as a displacement, of a point 1 m from the axis.
+    /// For y = x: the coordinate is the twist about the shaft's axis, as the displacement of a point 1 m from the axis.
     bool twists;
     bool clockwise;             ///< the rotor turns from y to x, which is then forward whirl; false: from x to y
     size_t runout_count;        ///< number of harmonics of the runout
@@ -140,7 +140,7 @@ typedef struct whirl_system {
     /// other coordinates return, and exponents leave them out.
     const double *turns;
 
-    /// With such angles: revolutions after which all of them return, so that forces with these phases may return; 0:
+    /// Number of revolutions after which all angles of `turns` return, and with them forces with these phases; 0:
     /// never.
     size_t repeats;
 
@@ -221,10 +221,10 @@ typedef struct whirl_system {
     /// machines of a structure. False past the last. `seen` NULL: `reached` is NaN.
     bool (*range)(const void *model, size_t index, const whirl_extremes *seen, whirl_law_range *out);
 
-    /// Optional: sets coordinates with a balance of their own (tilts of pads) to it, with the coordinates that they
-    /// depend on as in x [dimension], and writes the kind of each coordinate to kinds [dimension]. Of several balances
-    /// it takes the one to which the coordinates move from x; for NaN in x, one that is not idle. False if there is no
-    /// such balance. Searches for equilibria then vary only the other coordinates.
+    /// Optional: sets coordinates with a balance of their own (tilts of pads) to that balance, with the coordinates
+    /// that they depend on as in x [dimension], and writes the kind of each coordinate to kinds [dimension]. Of several
+    /// balances it takes the one to which the coordinates move from x; for NaN in x, one that is not idle. False if
+    /// there is no such balance. Searches for equilibria then vary only the other coordinates.
     bool (*settle)(const void *model, double *x, whirl_settled *kinds);
 
     /// Optional: describes the film whose journal is a probe, with the machine at rest at x; the thinnest of several

@@ -76,8 +76,8 @@ typedef struct whirl_torsion {
     /// Describes path `index`.
     void (*path)(const void *model, size_t index, whirl_torque_path *out);
 
-    /// Writes the S-N curve of a path's torque, which follows from that of the stress and the section. Returns false if
-    /// there is none.
+    /// Writes the S-N curve of a path's torque, converted from the S-N curve of its shear stress by the section.
+    /// Returns false if there is none.
     bool (*curve)(const void *model, size_t path, whirl_torque_curve *out);
 
     /// Finds the amplitude of the torque in a path, N m, in the motion rest + Re(v exp(i w t)), v [dimension][2], that
@@ -106,7 +106,7 @@ whirl_status whirl_harmonic_response(const struct whirl_system *system, const do
                                      const double *drive, double *response);
 
 /// Computes the displacement by constant slopes drive [dimension] about rest [dimension]; if nothing resists the rigid
-/// rotation turn [dimension], the displacement without a part of it. Errors as whirl_harmonic_response.
+/// rotation turn [dimension], the displacement that has no part along this rotation. Errors as whirl_harmonic_response.
 whirl_status whirl_static_response(const struct whirl_system *system, const double *rest, const double *turn,
                                    const double *drive, double *response);
 

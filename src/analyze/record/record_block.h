@@ -38,7 +38,7 @@ void record_archive(whirl_record *record, const whirl_integrate_options *integra
 /// theta_i), theta_i = pi i/(n + 1) for the i-th axis of n. They are orthonormal, and since sin(k theta)/sin(theta) are
 /// polynomials of rising degree in cos(theta), any k axes see the first k of them as independent: even if the motion
 /// decouples planes, or other groups of coordinates, the fastest growth comes first. Coordinates that turn have axes of
-/// their own, the last: orthogonalized in turn, the others never mix with them.
+/// their own, which come last, so that orthogonalization in this order never mixes the other perturbations with them.
 void record_place_perturbations(const whirl_record *record, size_t count, double *perturbations);
 
 #endif

@@ -78,6 +78,7 @@ enum { RUNUP_EVENTS = WHIRL_MAX_EVENTS + 2 };
 /// system without stations (probe_count 0) gets station 0 for the loss.
 size_t runup_events_of(const whirl_runup_options *options, const whirl_system *system, runup_happening *out);
 
+/// The results of a run.
 typedef struct runup_run {
     runup_end end;
     double time, speed, turns; ///< at its end: s, rad/s, turns of the shaft

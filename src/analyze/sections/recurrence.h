@@ -25,6 +25,8 @@ enum { SHORT_PERIOD = 64 };
 /// A computed motion returns when it comes back within this share of its size.
 static const double recurrence_tolerance = 1e-6;
 
+/// Compares the points of the last `record_count` revolutions, or at least of 128, with later ones. `size` is that of
+/// the motion, `tolerance` the largest distance of a return over this size.
 recurrence recurrence_find(const section *all, size_t record_count, double size, double tolerance);
 
 /// Rounds after which a drift shows its curve, and the averages over both halves agree. (Halves of 5.5 rounds still

@@ -25,6 +25,7 @@ typedef struct balance_normal {
     double complex matrix[BALANCE_UNKNOWNS][BALANCE_UNKNOWNS], side[BALANCE_UNKNOWNS];
 } balance_normal;
 
+/// Adds a row a [n] with its right-hand side b to the normal equations.
 void balance_add(balance_normal *of, const double complex *a, double complex b, double weight);
 
 /// Solves for the unknowns, into `side`; false if the rows do not determine them.

@@ -12,8 +12,8 @@ void weigh_verdict(whirl_verdict *verdict, const evidence *e, const whirl_record
 /// Returns the mean life of chaos below which values are excluded at 95 %, given that no perturbed copy left the chaos.
 double verdict_least_life(const whirl_verdict *verdict);
 
-/// Returns true if the section of a motion grows at the rate of perturbations: it leaves an unstable motion, as a
-/// linear machine does.
+/// Returns true if the section of a motion grows at the rate of perturbations: the motion leaves an unstable one, as in
+/// an unstable linear machine.
 bool weigh_swelling(const whirl_verdict *verdict);
 
 #endif

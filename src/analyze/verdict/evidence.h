@@ -9,6 +9,7 @@
 #include "recurrence.h"
 #include "section.h"
 
+/// Evidence of a record that is inexpensive to gather.
 typedef struct evidence {
     section points;
     double size;         ///< size of the motion

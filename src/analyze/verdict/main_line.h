@@ -12,13 +12,15 @@ typedef struct main_line {
     double order; ///< NaN without one
     double share; ///< amplitude over half the diagonal of the station's box
     double trend; ///< rate of its amplitude per revolution; NaN if its neighbours hide it
-    double drift; ///< change of its order from half to half of the record, likewise
+    double drift; ///< change of its order from half to half of the record; NaN as for `trend`
     double second, second_share, second_trend, second_drift; ///< the same for the second line; NaN without one
     /// Number of independent frequencies, the shaft's included: 2 or 3 if all significant lines are combinations of so
     /// many frequencies and make up the whole motion; else 0.
     int frequencies;
 } main_line;
 
+/// Finds the lines of a record. All numbers are NaN without a waveform, for fewer than 32 recorded revolutions, and
+/// without memory.
 main_line main_line_find(const whirl_record *record);
 
 /// Returns true if the lines belong to a motion of two or three frequencies that neither grows nor decays.

@@ -31,7 +31,7 @@ static whirl_status lock(const journal_file *file) {
     do failed = flock(file->descriptor, LOCK_EX | LOCK_NB);
     while (failed && errno == EINTR);
     if (failed && errno == EWOULDBLOCK) return whirl_fail(WHIRL_BAD_INPUT, "another run is writing %.250s", file->path);
-    // On a file system without locks one run is assumed.
+    // On a file system without locks, this run is assumed to be the only one.
     return has_its_name(file) ? whirl_ok()
                               : whirl_fail(WHIRL_BAD_INPUT, "another run has just finished with %.250s", file->path);
 }

@@ -8,6 +8,7 @@
 #include "first_error.h"
 #include "whirl/engine/study.h"
 
+/// Progress, first error and end of a run.
 typedef struct tracker {
     const whirl_run_options *options;
     whirl_progress progress;
@@ -16,6 +17,7 @@ typedef struct tracker {
     double started, reported;
 } tracker;
 
+/// Begins the progress of a run, whose planned work is `revolutions`, and its clock.
 void tracker_begin(tracker *tracker, const whirl_run_options *options, double revolutions);
 
 /// Begins a stage of so many points. A round of refinement has revolutions of its own; the other stages share theirs.

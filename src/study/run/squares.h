@@ -1,11 +1,10 @@
 /// Squares over a plane of points, divided where their points differ: they decide which points of a refined map are
-/// computed.
-/// The plane is cut into first squares whose corners are its points; those of the last column and row may be smaller. A
-/// square is halved along both axes if a point on its edges is known to differ from its first corner, down to
-/// neighbouring points. Points on an edge count for the squares on both sides, so a boundary is followed from square to
-/// square. More known points never divide less, so the final request depends neither on the order in which points
-/// become known nor on who requests first. A square that is `alone` uses only points that it requested itself and is
-/// independent of all others.
+/// computed. The plane is cut into first squares whose corners are its points; those of the last column and row may be
+/// smaller. A square is halved along both axes if a point on its edges is known to differ from its first corner, down
+/// to neighbouring points. Points on an edge count for the squares on both sides, so a boundary is followed from square
+/// to square. Further known points can only divide squares further, so the final request depends neither on the order
+/// in which points become known nor on who requests first. A square that is `alone` uses only points that it requested
+/// itself and is independent of all others.
 #ifndef STUDY_SQUARES_H
 #define STUDY_SQUARES_H
 

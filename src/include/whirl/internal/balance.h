@@ -87,7 +87,7 @@ typedef struct whirl_balance_coefficient {
 typedef struct whirl_balance {
     char title[256]; ///< in one line
     char units[64];  ///< units in which numbers are shown (whirl/internal/shown.h), or ""
-    /// Sense in which the file counts angles on the rotor (against the rotation), and phases (leading).
+    /// True if the file counts angles on the rotor against the rotation; true if it gives phases as leads, not lags.
     bool against, leads;
     char counted[8];                                  ///< kind of its amplitudes: "0-p", "p-p", "rms"; "" not given
     size_t plane_count, trial_count, vibration_count; ///< lengths of the following arrays
