@@ -85,7 +85,7 @@ whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_
         status = whirl_fail(WHIRL_BAD_INPUT, "a revolution has %d steps, expected 1 or more",
                             integrate->steps_per_revolution);
     if (status.code != WHIRL_OK) return status;
-    // Describe the machine, by which fields have their sizes.
+    // Describe the machine: the sizes of fields depend on it.
     block_shape shape = {
         .dimension = system->dimension,
         .station_count = system->probe_count,
@@ -122,8 +122,8 @@ whirl_status whirl_analysis_check(const whirl_system *system, whirl_analysis_set
     return status;
 }
 
-/// Answers for a system with two ranges. With one range, a field with a row for each range would be taken for a field
-/// with a single row.
+/// Describes two ranges, for a system that is made up to learn all fields. A field with a row for each range would
+/// otherwise look like one with a single row.
 static bool two_ranges(const void *model, size_t index, const whirl_extremes *seen, whirl_law_range *out) {
     (void)model, (void)seen, (void)out;
     return index < 2;
@@ -137,7 +137,7 @@ static double no_twist(const void *model, const double *v, double *shape) {
 whirl_status whirl_layout_known(whirl_layout *layout) {
     const whirl_runout runout = {.order = 1};
     const whirl_probe probes[2] = {
-        {.runout_count = 1, .runout = &runout}}; // a station with two: a single row would be taken for one a station
+        {.runout_count = 1, .runout = &runout}}; // two stations: a row for each must differ from a single row
     const whirl_torsion torsion = {.excitation_count = 2, .path_count = 2};
     const whirl_system system = {.dimension = 2,
                                  .probe_count = 2,

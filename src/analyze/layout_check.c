@@ -4,7 +4,7 @@
 
 #include "analysis.h"
 
-/// The field whose rows are the dimension.
+/// Fields with one row for each coordinate of the state: they give its dimension.
 static const char *const dimensions[] = {WHIRL_FIELD_TRACE_MULTIPLIERS, WHIRL_FIELD_TORUS_EXPONENTS};
 
 /// Returns true if a layout has a field of an analysis.

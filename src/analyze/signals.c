@@ -74,7 +74,7 @@ whirl_status whirl_signals_spectrogram(const double *x, const double *y, size_t 
     double *nothing = y ? NULL : calloc(window, sizeof *nothing);
     if (!y && !nothing) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a window of %zu samples", window);
     for (size_t row = 0; row < windows && status.code == WHIRL_OK; row++) {
-        // A revolution of one sample: orders are then frequencies over the rate.
+        // With one sample per revolution, orders are frequencies over the sampling rate.
         whirl_spectrum *spectrum;
         status = spectrum_of(x + row * step, y ? y + row * step : nothing, window, 1, INFINITY, false, &spectrum);
         if (status.code != WHIRL_OK) break;

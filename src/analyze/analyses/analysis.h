@@ -17,8 +17,8 @@ typedef struct block_shape {
     size_t samples_per_revolution;
     bool at_rest;                        ///< points are of machines at rest
     bool twists, axial;                  ///< true if stations twist; true if stations move along their shafts
-    size_t torque_count;                 ///< as in the system
-    size_t excitation_count, path_count; ///< as in its torsion
+    size_t torque_count;                 ///< as whirl_system.torque_count
+    size_t excitation_count, path_count; ///< as in whirl_system.torsion
     const whirl_record_options *options;
 } block_shape;
 
@@ -51,12 +51,12 @@ double *view_numbers(const block_view *view, size_t field, size_t which);
 /// its probes, if any.
 void fill_seen(const whirl_record *record, size_t probe, size_t count, double *seen);
 
-/// The largest of some amplitudes of a motion Re(x exp(i w t)) and its phase; 0, 1, 0 before any.
+/// Largest amplitude so far of a motion Re(x exp(i w t)), with the cosine and sine of its phase; starts as 0, 1, 0.
 typedef struct shape_peak {
     double size, cos, sin;
 } shape_peak;
 
-/// Takes an amplitude x [2] into account; of equal ones the first is the peak.
+/// Makes the amplitude x [2] (real, imaginary part) the peak if it is larger; of equal amplitudes the first is kept.
 void shape_peak_note(shape_peak *peak, const double *x);
 
 /// Writes an amplitude relative to the peak, at the instant of it and a quarter of a period later, out [2].
@@ -83,8 +83,9 @@ typedef struct analysis_plan {
     size_t field_count;
     bool needs_waveform;       ///< the analysis rejects options without it
     whirl_growth needs_growth; ///< the analysis rejects options with less growth
-    whirl_growth uses_growth; ///< growth that is followed for it (whirl_analysis_needs); with less it has fewer results
-    bool uses_orbits;         ///< orbits are searched for it; without them it has fewer results
+    whirl_growth
+        uses_growth;  ///< growth that the recorder follows for it (whirl_analysis_needs); with less, fields are missing
+    bool uses_orbits; ///< orbits are searched for it; without them fields are missing
     whirl_status (*compute)(const whirl_record *record, const whirl_record_options *options, const block_view *view);
     /// For machines at rest, called instead of `compute`. WHIRL_NUMERICAL_FAILURE: the point has no equilibrium, and
     /// its numbers are missing; WHIRL_BAD_INPUT ends the run, and `whirl check` reports it beforehand.
@@ -94,10 +95,10 @@ typedef struct analysis_plan {
     /// in statuses [count], and writes the statuses of the others.
     void (*compute_resting_together)(size_t count, const whirl_resting *points, const whirl_record_options *options,
                                      const block_view *views, whirl_status *statuses);
-    /// For points of branches, likewise.
+    /// For a point of a branch, called instead of `compute`.
     whirl_status (*compute_trace)(const whirl_trace *trace, const whirl_record_options *options,
                                   const block_view *view);
-    /// For tori, likewise.
+    /// For a point of a branch of tori, called instead of `compute`.
     whirl_status (*compute_torus)(const whirl_torus_trace *trace, const whirl_record_options *options,
                                   const block_view *view);
     /// Optional: refuses systems that it cannot analyse. WHIRL_BAD_INPUT.

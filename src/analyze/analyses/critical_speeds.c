@@ -45,7 +45,8 @@ void bearings_place(const whirl_system *alone, double *x, const whirl_system *ma
     if (alone->adopt) alone->adopt(alone->model, x, machine, rest);
 }
 
-/// Sets x, of the bearings alone, to the equilibrium of the machine as given at a speed.
+/// Sets the state x of `alone`, the bearings without their machine, from the equilibrium of the complete machine at a
+/// speed.
 static whirl_status find_rest(const whirl_resting *point, double speed, const whirl_system *alone, double *x) {
     whirl_machine given;
     whirl_status status = point->at_speed(point->context, speed, WHIRL_AS_GIVEN, 0.0, &given);

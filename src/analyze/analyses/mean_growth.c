@@ -6,7 +6,7 @@
 #include "birkhoff_weight.h"
 #include "turns.h"
 
-/// Growth (a natural logarithm) of a perturbation which vanishes: it shrank at least to the smallest double.
+/// Lower limit of a recorded growth, a natural logarithm: a perturbation that underflows to 0 is recorded as -infinity.
 static const double strongest_decay = -745.0;
 
 static double block_mean(const double *values, size_t length) {
@@ -49,7 +49,8 @@ static double smooth_mean(const double *values, size_t count) {
     return sum / weights;
 }
 
-/// Returns the mean of all values. Its error is the larger distance of the means of the two halves from it.
+/// Returns the mean of all values. Its error is the difference of that mean from the mean of one half, the larger of
+/// the two.
 static whirl_estimate compare_halves(double (*mean)(const double *, size_t), const double *values, size_t half) {
     const double all = mean(values, 2 * half);
     return (whirl_estimate){all, fmax(fabs(mean(values, half) - all), fabs(mean(values + half, half) - all))};
@@ -93,7 +94,8 @@ bool follows_all(const whirl_record *record) {
     return record->growths && record->growth_count > 0 && record->motion == WHIRL_BOUNDED;
 }
 
-/// Sorts exponents, those of coordinates that turn (zeros, which are not the motion's) behind the others.
+/// Sorts exponents, largest first. Those of coordinates that turn, zeros that do not belong to the motion, stay at the
+/// end.
 static void growth_sort(const whirl_record *record, whirl_estimate *exponents) {
     const size_t steady = record->dimension - turns_count(record->turns, record->dimension);
     for (size_t k = 1; k < steady; k++)

@@ -8,13 +8,15 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/// Returns the mean of `values` [count] and its standard error: that of the means of 32 and of 16 blocks, the larger
-/// one, so that correlation counts as long as it dies out within a block. NaN for no values; the error is NaN for one.
+/// Returns the mean of `values` [count] and its standard error, from the scatter of the means of 16 and of 32 blocks:
+/// the larger of the two. It allows for correlation that dies out within a block. NaN for no values; the error is NaN
+/// for one.
 whirl_estimate estimate_mean(const double *values, size_t count);
 
-/// Returns the mean of a periodic or quasi-periodic sequence, such as the growth about a settled motion, much sharper
-/// than estimate_mean: a mean over whole periods or a smoothly weighted one, whichever agrees better between the two
-/// halves of the sequence. The error is that disagreement: no standard error, and meaningless for a chaotic motion.
+/// Returns the mean of a periodic or quasi-periodic sequence, such as the growth about a settled motion. It is a mean
+/// over whole periods or a smoothly weighted mean: the one whose values for the two halves of the sequence agree
+/// better. It is much more accurate than estimate_mean. The error is the disagreement of the halves, not a standard
+/// error; it is meaningless for a chaotic motion.
 whirl_estimate estimate_regular_mean(const double *values, size_t count, size_t period);
 
 /// Sum of all exponents, compared with its exact value.
@@ -29,8 +31,8 @@ typedef struct growth_balance {
 /// Returns true for a bounded motion with all perturbations followed.
 bool follows_all(const whirl_record *record);
 
-/// Computes the means and standard errors of all growths of such a motion, exponents [dimension], and their balance;
-/// `values` [growth_count] is workspace.
+/// Computes the means and standard errors of all growths of a motion for which follows_all is true, exponents
+/// [dimension], and their balance; `values` [growth_count] is workspace.
 growth_balance gather_exponents(const whirl_record *record, whirl_estimate *exponents, double *values);
 
 /// Returns the sharp mean (estimate_regular_mean) of the second perturbation's growth, after the first tenth of the

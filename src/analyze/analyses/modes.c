@@ -66,8 +66,9 @@ static const field_plan fields[FIELD_COUNT] = {
                    1, modes_kept},
     [DIRECTION] = {WHIRL_FIELD_MODES_DIRECTION, "1", "1: circles with the rotation, -1: against it, 0: neither",
                    WHIRL_PER_POINT, 1, modes_kept},
-    [BEFORE] = {WHIRL_FIELD_MODES_BEFORE, "1", "number of the same mode at the value before, from 1; 0: none",
-                WHIRL_PER_POINT, 1, modes_kept},
+    [BEFORE] = {WHIRL_FIELD_MODES_BEFORE, "1",
+                "number of the same mode at the previous value of the parameter, from 1; 0: none", WHIRL_PER_POINT, 1,
+                modes_kept},
     [OVERDAMPED] = {WHIRL_FIELD_MODES_OVERDAMPED, "1/s", "eigenvalues without a frequency, largest first",
                     WHIRL_PER_POINT, 1, modes_kept},
     [RIGID_BODY] = {WHIRL_FIELD_MODES_RIGID_BODY, "1", "number of rigid-body modes, whose frequency is 0",
@@ -114,7 +115,7 @@ static const field_plan fields[FIELD_COUNT] = {
 static const double unmoved = 1e-18;
 
 /// Fills in the twists or the axial displacements of a mode, which `fill` computes (whirl_system.twist), at the instant
-/// at which the largest of them peaks. share: theirs in the kinetic energy.
+/// at which the largest of them peaks. share: share of these coordinates in the mode's kinetic energy.
 static void fill_line(const whirl_system *system, double (*fill)(const void *model, const double *v, double *shape),
                       double share, const double *v, size_t field, size_t row, const block_view *view) {
     double shape[2 * WHIRL_MAX_PROBES];
@@ -176,7 +177,7 @@ static whirl_status modes_compute(const whirl_resting *point, const whirl_record
                                   const block_view *view) {
     const whirl_modes *modes = point->modes;
     const size_t most = (size_t)options->modes;
-    // Rest and the eigenvalues as a whole.
+    // Fill in the speed, and the stability that follows from all eigenvalues.
     *view_numbers(view, SPEED, 0) = point->speed;
     *view_numbers(view, RIGID_BODY, 0) = (double)modes->free;
     *view_numbers(view, STABILITY, 0) = point->clock * modes->growth;
@@ -189,12 +190,12 @@ static whirl_status modes_compute(const whirl_resting *point, const whirl_record
     }
     whirl_status status = fill_axial_rest(point->system, modes->rest, view);
     if (status.code != WHIRL_OK) return status;
-    // The sensitivity of control loops.
+    // Fill in the sensitivity of control loops.
     whirl_sensitivity_peak sensitivity;
     status = whirl_loops_peak(point->system, modes, &sensitivity);
     *view_numbers(view, SENSITIVITY, 0) = sensitivity.peak;
     *view_numbers(view, SENSITIVITY_FREQUENCY, 0) = point->clock * sensitivity.frequency;
-    // Modes, their shapes, and critical speeds.
+    // Fill in modes, their shapes, and critical speeds.
     fill_modes(point, modes, most, view);
     for (size_t i = 0; i < modes->count && i < most; i++) {
         const double *shape = modes->vectors + 2 * i * modes->dimension;

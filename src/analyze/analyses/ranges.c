@@ -29,13 +29,14 @@ static const field_plan fields[FIELD_COUNT] = {
     [REST] = {WHIRL_FIELD_RANGES_REST, "1",
               "largest share of the static load with a position of rest; 1: the whole load", WHIRL_PER_POINT, 1,
               one_where_it_rests},
-    [ELSEWHERE] = {WHIRL_FIELD_RANGES_ELSEWHERE, "length",
-                   "x, y (from there to another place of rest, to which that of the value before or after leads; "
-                   "missing where none was found)",
-                   WHIRL_PER_STATION, 2, one_at_rest},
+    [ELSEWHERE] =
+        {WHIRL_FIELD_RANGES_ELSEWHERE, "length",
+         "x, y (from the equilibrium to another one, found from that of the previous or next value of the parameter; "
+         "missing where none was found)",
+         WHIRL_PER_STATION, 2, one_at_rest},
     [ELSEWHERE_GROWTH] = {WHIRL_FIELD_RANGES_ELSEWHERE_GROWTH, "1/s",
-                          "largest real part of all eigenvalues at that place: stable below 0", WHIRL_PER_POINT, 1,
-                          one_at_rest},
+                          "largest real part of all eigenvalues at that other equilibrium: stable below 0",
+                          WHIRL_PER_POINT, 1, one_at_rest},
     [LEFT] = {WHIRL_FIELD_RANGES_LEFT, "1", "number of laws whose ranges were left", WHIRL_PER_POINT, 1, one_where_any},
     [REACHED] = {WHIRL_FIELD_RANGES_REACHED, "1", "reached, most (of every range, in its unit)", WHIRL_PER_POINT, 2,
                  every_range},

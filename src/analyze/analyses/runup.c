@@ -103,10 +103,10 @@ static const field_plan fields[FIELD_COUNT] = {
          "how the run ended: 0 as planned, 1 the shaft stood still, 2 the motion left all bounds, 3 the solver could "
          "not go on",
          WHIRL_PER_POINT, 1, NULL},
-    [END_TIME] = {WHIRL_FIELD_RUNUP_END_TIME, "s", "at the end of the run", WHIRL_PER_POINT, 1, NULL},
-    [END_SPEED] = {WHIRL_FIELD_RUNUP_END_SPEED, "rad/s", "of the shaft at the end of the run", WHIRL_PER_POINT, 1,
+    [END_TIME] = {WHIRL_FIELD_RUNUP_END_TIME, "s", "time at the end of the run", WHIRL_PER_POINT, 1, NULL},
+    [END_SPEED] = {WHIRL_FIELD_RUNUP_END_SPEED, "rad/s", "speed of the shaft at the end of the run", WHIRL_PER_POINT, 1,
                    NULL},
-    [END_TURNS] = {WHIRL_FIELD_RUNUP_END_TURNS, "1", "of the shaft in the run", WHIRL_PER_POINT, 1, NULL},
+    [END_TURNS] = {WHIRL_FIELD_RUNUP_END_TURNS, "1", "turns of the shaft in the run", WHIRL_PER_POINT, 1, NULL},
     [EVENTS] = {WHIRL_FIELD_RUNUP_EVENTS, "s",
                 "trip, loss, change (when the motor tripped, when a blade was lost, and when parameters changed; "
                 "missing: never)",
@@ -117,21 +117,24 @@ static const field_plan fields[FIELD_COUNT] = {
          "never; 1 if the motor trips; index of the station where an unbalance appears, -1: none, kg m and rad; 1 if "
          "parameters change; 1 if the run ends)",
          WHIRL_PER_POINT, EVENT_COLUMNS, runup_every_event},
-    [NUMBERS_ERROR] = {WHIRL_FIELD_RUNUP_ERROR, "1",
-                       "of coefficients between the speeds that they were taken at, over the largest; 0: exact",
-                       WHIRL_PER_POINT, 1, NULL},
+    [NUMBERS_ERROR] =
+        {WHIRL_FIELD_RUNUP_ERROR, "1",
+         "error of coefficients that are interpolated between speeds, over the largest coefficient; 0: exact",
+         WHIRL_PER_POINT, 1, NULL},
     [SENSITIVITY] =
         {WHIRL_FIELD_RUNUP_SENSITIVITY, "1",
          "growth, from, to, at (natural logarithm of the largest growth of a small change of the motion, and s between "
          "which it grew; s from which on a change as small as rtol counts for 0.001 of the motion, missing: never)",
          WHIRL_PER_POINT, 4, runup_with_copy},
-    [TIME] = {WHIRL_FIELD_RUNUP_TIME, "s", "of the row: the middle of its turn (missing where no turn ended)",
+    [TIME] = {WHIRL_FIELD_RUNUP_TIME, "s", "time of the row: the middle of its turn (missing where no turn ended)",
               WHIRL_PER_POINT, 1, runup_every_row},
-    [SPEED] = {WHIRL_FIELD_RUNUP_SPEED, "rad/s", "of the shaft, over that turn", WHIRL_PER_POINT, 1, runup_every_row},
-    [TURNS] = {WHIRL_FIELD_RUNUP_TURNS, "1", "of the shaft since the beginning, at its end", WHIRL_PER_POINT, 1,
+    [SPEED] = {WHIRL_FIELD_RUNUP_SPEED, "rad/s", "speed of the shaft over the turn of the row", WHIRL_PER_POINT, 1,
                runup_every_row},
+    [TURNS] = {WHIRL_FIELD_RUNUP_TURNS, "1", "turns of the shaft since the beginning, at the end of the row's turn",
+               WHIRL_PER_POINT, 1, runup_every_row},
     [TORQUE] = {WHIRL_FIELD_RUNUP_TORQUE, "N m",
-                "motor, load, friction, rotor, drag (on the shaft at its end, in the sense of the rotation; rotor: by "
+                "motor, load, friction, rotor, drag (on the shaft at the end of the turn, in the sense of the "
+                "rotation; rotor: by "
                 "unbalances that the motion and the weight turn; drag: of films and seals)",
                 WHIRL_PER_POINT, TORQUE_COLUMNS, runup_every_row},
     [RADIUS] = {WHIRL_FIELD_RUNUP_RADIUS, "length", "largest distance from the centre since the row before",
@@ -142,8 +145,9 @@ static const field_plan fields[FIELD_COUNT] = {
         {WHIRL_FIELD_RUNUP_AMPLITUDE, "length",
          "x1, y1, x2, y2, x3, y3, x4, y4 (0-p amplitudes of x and y at 1 to 4 times the speed, over the turn)",
          WHIRL_PER_STATION, ORDER_COLUMNS, runup_every_row},
-    [LAG] = {WHIRL_FIELD_RUNUP_LAG, "deg", "x1, y1, x2, y2, x3, y3, x4, y4 (by which these peaks come after the mark)",
-             WHIRL_PER_STATION, ORDER_COLUMNS, runup_every_row},
+    [LAG] = {WHIRL_FIELD_RUNUP_LAG, "deg",
+             "x1, y1, x2, y2, x3, y3, x4, y4 (angles by which these peaks come after the mark)", WHIRL_PER_STATION,
+             ORDER_COLUMNS, runup_every_row},
     [WHIRL] = {WHIRL_FIELD_RUNUP_WHIRL_AMPLITUDE, "length",
                "forward1, backward1, forward2, backward2, forward3, backward3, forward4, backward4 (0-p amplitudes of "
                "the circular parts of these motions, with and against the rotation)",
@@ -152,15 +156,17 @@ static const field_plan fields[FIELD_COUNT] = {
                NULL},
     [PEAK] = {WHIRL_FIELD_RUNUP_PEAK, "length", "largest distance from the centre in the run", WHIRL_PER_STATION, 1,
               NULL},
-    [PEAK_TIME] = {WHIRL_FIELD_RUNUP_PEAK_TIME, "s", "of that", WHIRL_PER_STATION, 1, NULL},
-    [PEAK_SPEED] = {WHIRL_FIELD_RUNUP_PEAK_SPEED, "rad/s", "of the shaft at that time", WHIRL_PER_STATION, 1, NULL},
+    [PEAK_TIME] = {WHIRL_FIELD_RUNUP_PEAK_TIME, "s", "time of the largest distance from the centre", WHIRL_PER_STATION,
+                   1, NULL},
+    [PEAK_SPEED] = {WHIRL_FIELD_RUNUP_PEAK_SPEED, "rad/s", "speed of the shaft at that time", WHIRL_PER_STATION, 1,
+                    NULL},
     [FORCE] = {WHIRL_FIELD_RUNUP_FORCE, "force", "largest normal force at any instant since the row before",
                WHIRL_PER_CONTACT, 1, runup_every_row},
-    [SHARE] = {WHIRL_FIELD_RUNUP_SHARE, "1", "of the turn in contact", WHIRL_PER_CONTACT, 1, runup_every_row},
+    [SHARE] = {WHIRL_FIELD_RUNUP_SHARE, "1", "share of the turn in contact", WHIRL_PER_CONTACT, 1, runup_every_row},
     [CONTACT] = {WHIRL_FIELD_RUNUP_CONTACT, "s", "first, last, time (closed first, opened last, closed in all)",
                  WHIRL_PER_CONTACT, 3, NULL},
-    [CONTACT_NUMBER] = {WHIRL_FIELD_RUNUP_CONTACT_NUMBER, "1", "of times that the contact closed", WHIRL_PER_CONTACT, 1,
-                        NULL},
+    [CONTACT_NUMBER] = {WHIRL_FIELD_RUNUP_CONTACT_NUMBER, "1", "number of times that the contact closed",
+                        WHIRL_PER_CONTACT, 1, NULL},
     [TORQUE_OF] = {WHIRL_FIELD_RUNUP_TORQUE_OF, "1",
                    "kind, first, second (0 between the twists of two stations, 1 of an induction motor, 2 of a "
                    "synchronous start, 3 of a short circuit, 4 over time, 5 of a mesh, 7 of a spring with play; "
@@ -185,15 +191,15 @@ static const field_plan fields[FIELD_COUNT] = {
                 "which it says nothing, and the sum is missing; missing without a curve)",
                 WHIRL_PER_POINT, 2, runup_every_torque},
     [STATION_SPEED] = {WHIRL_FIELD_RUNUP_STATION_SPEED, "rad/s",
-                       "of the station at the end of the row, in the sense of its rotation", WHIRL_PER_STATION, 1,
+                       "speed of the station at the end of the row, in the sense of its rotation", WHIRL_PER_STATION, 1,
                        runup_every_row_with_torques},
     [SPECTRUM_TIME] = {WHIRL_FIELD_RUNUP_SPECTRUM_TIME, "s",
-                       "of the spectrum: the middle of its turns (missing before that many turns)", WHIRL_PER_POINT, 1,
-                       runup_every_spectrum},
-    [SPECTRUM_SPEED] = {WHIRL_FIELD_RUNUP_SPECTRUM_SPEED, "rad/s", "of the shaft, over these turns", WHIRL_PER_POINT, 1,
-                        runup_every_spectrum},
-    [SPECTRUM_ORDER] = {WHIRL_FIELD_RUNUP_SPECTRUM_ORDER, "order", "of the bins of every spectrum", WHIRL_PER_POINT, 1,
-                        runup_every_bin},
+                       "time of the spectrum: the middle of its turns (missing before that many turns)",
+                       WHIRL_PER_POINT, 1, runup_every_spectrum},
+    [SPECTRUM_SPEED] = {WHIRL_FIELD_RUNUP_SPECTRUM_SPEED, "rad/s", "speed of the shaft over these turns",
+                        WHIRL_PER_POINT, 1, runup_every_spectrum},
+    [SPECTRUM_ORDER] = {WHIRL_FIELD_RUNUP_SPECTRUM_ORDER, "order", "orders of the bins of every spectrum",
+                        WHIRL_PER_POINT, 1, runup_every_bin},
     [SPECTRUM] = {WHIRL_FIELD_RUNUP_SPECTRUM, "length",
                   "forward, backward (0-p amplitudes of x + iy at the orders; a row a bin, one spectrum after another)",
                   WHIRL_PER_STATION, 2, runup_every_bin_of_spectra},
@@ -211,31 +217,35 @@ static const field_plan fields[FIELD_COUNT] = {
          WHIRL_PER_STATION, 4, runup_with_slow_roll},
     [SLOW_ROLL_CHANGE] =
         {WHIRL_FIELD_RUNUP_SLOW_ROLL_CHANGE, "1",
-         "by which these change within 10 % of the speed, over the largest of the run; above 0.05 they "
+         "change of these parts within 10 % of the speed, over the largest of the run; above 0.05 they "
          "are no slow roll",
          WHIRL_PER_STATION, 1, runup_with_slow_roll},
     [COMPENSATED] = {WHIRL_FIELD_RUNUP_COMPENSATED, "length",
                      "x1, y1 (0-p amplitudes at the speed of the shaft, less the slow roll)", WHIRL_PER_STATION, 2,
                      runup_every_row_with_slow_roll},
-    [COMPENSATED_LAG] = {WHIRL_FIELD_RUNUP_COMPENSATED_LAG, "deg", "x1, y1 (by which these peaks come after the mark)",
-                         WHIRL_PER_STATION, 2, runup_every_row_with_slow_roll},
-    [ORBIT_TIME] = {WHIRL_FIELD_RUNUP_ORBIT_TIME, "s", "of the orbit: the middle of its turn", WHIRL_PER_POINT, 1,
+    [COMPENSATED_LAG] = {WHIRL_FIELD_RUNUP_COMPENSATED_LAG, "deg",
+                         "x1, y1 (angles by which these peaks come after the mark)", WHIRL_PER_STATION, 2,
+                         runup_every_row_with_slow_roll},
+    [ORBIT_TIME] = {WHIRL_FIELD_RUNUP_ORBIT_TIME, "s", "time of the orbit: the middle of its turn", WHIRL_PER_POINT, 1,
                     runup_every_orbit},
-    [ORBIT_SPEED] = {WHIRL_FIELD_RUNUP_ORBIT_SPEED, "rad/s", "of the shaft, over that turn", WHIRL_PER_POINT, 1,
+    [ORBIT_SPEED] = {WHIRL_FIELD_RUNUP_ORBIT_SPEED, "rad/s", "speed of the shaft over that turn", WHIRL_PER_POINT, 1,
                      runup_every_orbit},
     [ORBIT] = {WHIRL_FIELD_RUNUP_ORBIT, "length",
                "x, y (from the centre, at equal angles of a turn from the mark on, one orbit after another)",
                WHIRL_PER_STATION, 2, runup_every_instant_of_orbits},
-    [PEAK_ORBIT] = {WHIRL_FIELD_RUNUP_PEAK_ORBIT, "length", "x, y (likewise, in the turn with the largest motion)",
-                    WHIRL_PER_STATION, 2, runup_every_instant_of_an_orbit},
-    [WAVEFORM_TIME] = {WHIRL_FIELD_RUNUP_WAVEFORM_TIME, "s",
-                       "of the instants of a waveform: around the largest motion of the station, then around events",
-                       WHIRL_PER_STATION, 1, runup_every_instant_of_waveforms},
+    [PEAK_ORBIT] = {WHIRL_FIELD_RUNUP_PEAK_ORBIT, "length",
+                    "x, y (as in the orbits, in the turn with the largest motion)", WHIRL_PER_STATION, 2,
+                    runup_every_instant_of_an_orbit},
+    [WAVEFORM_TIME] =
+        {WHIRL_FIELD_RUNUP_WAVEFORM_TIME, "s",
+         "times of the instants of a waveform: around the largest motion of the station, then around events",
+         WHIRL_PER_STATION, 1, runup_every_instant_of_waveforms},
     [WAVEFORM] = {WHIRL_FIELD_RUNUP_WAVEFORM, "length", "x, y (from the centre, at these instants)", WHIRL_PER_STATION,
                   2, runup_every_instant_of_waveforms},
-    [CONTACT_TIME] = {WHIRL_FIELD_RUNUP_CONTACT_TIME, "s",
-                      "of the instants of a waveform: around the largest force of the contact, then around events",
-                      WHIRL_PER_CONTACT, 1, runup_every_instant_of_waveforms},
+    [CONTACT_TIME] =
+        {WHIRL_FIELD_RUNUP_CONTACT_TIME, "s",
+         "times of the instants of a waveform: around the largest force of the contact, then around events",
+         WHIRL_PER_CONTACT, 1, runup_every_instant_of_waveforms},
     [CONTACT_FORCE] = {WHIRL_FIELD_RUNUP_CONTACT_FORCE, "force", "normal force at these instants", WHIRL_PER_CONTACT, 1,
                        runup_every_instant_of_waveforms},
     [CONTACT_GAP] = {WHIRL_FIELD_RUNUP_CONTACT_GAP, "length", "gap at these instants; below 0: pressed in",
@@ -290,7 +300,7 @@ static void runup_fill_torques(void *context, double time, const double *torque,
         f->status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the torques of a run");
     for (size_t t = 0; t < f->torques; t++) {
         double *own = view_numbers(f->view, TORQUE_COURSE, 0) + 2 * (t * f->rows + row);
-        own[0] = fmin(own[0], torque[t]); // of NaN the other number
+        own[0] = fmin(own[0], torque[t]); // fmin and fmax ignore a NaN
         own[1] = fmax(own[1], torque[t]);
     }
     for (size_t p = 0; p < f->system->probe_count; p++) view_numbers(f->view, STATION_SPEED, p)[row] = speed[p];
@@ -333,7 +343,8 @@ static void runup_fill_row(void *context, const runup_turn *turn) {
 
 // ---------------------------------------------------------------- runs that are saved
 
-/// Processes everything that the rest of a run depends on: the numbers that are filled in, and the state of the run.
+/// Archives (saves or restores) everything that the rest of a run depends on: the numbers filled in, and the state of
+/// the run.
 static void runup_archive_filling(filling *f, runup_state *state, archive *a) {
     for (size_t k = 0; k < FIELD_COUNT; k++) {
         const whirl_field *field = f->view->fields[k];
@@ -364,7 +375,7 @@ static void runup_save(void *context, runup_state *state) {
     free(a.bytes);
 }
 
-/// Continues a run from its saved state. Returns false if that does not fit.
+/// Continues a run from its saved state. Returns false if the saved state does not fit the run.
 static bool runup_restore(void *context, runup_state *state) {
     filling *f = context;
     const whirl_saving *from = f->point->saving;
@@ -406,7 +417,8 @@ static double runup_lowest_speed(const whirl_resting *point, const whirl_runup_o
     return o->rate > 0.0 && o->to == 0.0 ? o->from : fmin(o->from, o->to);
 }
 
-/// Finds the state at which the run begins, start [*count]: derivatives by time over the unit of speed.
+/// Finds the state at which the run begins: start [*count], displacements and velocities by time, in which `unit` is
+/// the unit of speed.
 static whirl_status runup_find_start(const whirl_resting *point, const whirl_runup_options *o, double unit,
                                      double *start, size_t *count) {
     whirl_machine machine;
@@ -422,7 +434,8 @@ static whirl_status runup_find_start(const whirl_resting *point, const whirl_run
     return status;
 }
 
-/// Returns the number of torques that act on stations, before those that are paths of the machine's torsion.
+/// Returns the index of the first watched torque that is a path of the machine's torsion; torques on stations come
+/// before.
 static size_t runup_first_path(const whirl_running *running, const whirl_system *system) {
     size_t paths = 0;
     for (size_t k = 0; system->torsion && k < system->torsion->path_count; k++) {
@@ -452,7 +465,7 @@ static void runup_fill_extremes(const filling *f, const whirl_running *running, 
     }
 }
 
-/// Fills in when events happened, and the first trip, loss and change of them.
+/// Fills in when each event happened, and when the first trip, loss and change of parameters did.
 static void runup_fill_events(const block_view *view, const runup_run *run) {
     double *first = view_numbers(view, EVENTS, 0);
     for (size_t k = 0; k < run->event_count; k++) {
@@ -528,7 +541,7 @@ typedef struct runup_job {
     whirl_runup_options options;
     const block_view *view;
     whirl_running *running;
-    double *numbers; ///< places of `run` and `f`
+    double *numbers; ///< memory of run.last, plan.start, f.radius and f.force
     runup_run run;
     runup_happening events[RUNUP_EVENTS];
     filling f;
@@ -597,7 +610,7 @@ static void runup_job_begin(runup_job *job, bool resume) {
     plan->start = job->numbers + d;
     plan->integrate.rtol = o->rtol;
     plan->integrate.atol = 1e-3 * o->rtol;
-    plan->integrate.limit = 1e300; // time grows without bounds; what is not finite diverges
+    plan->integrate.limit = 1e300; // time grows without bounds; a motion diverges when it is no longer finite
     memcpy(plan->integrate.method, o->method, sizeof plan->integrate.method);
     job->status = runup_find_start(point, o, job->make.highest, job->numbers + d, &plan->start_count);
     if (job->status.code == WHIRL_OK)
@@ -651,7 +664,7 @@ static double runup_measured_speed(const whirl_measured *m, size_t n) {
     return 2.0 * acos(-1.0) / (m->end[n] - m->time[n * m->samples]);
 }
 
-/// Takes a measured turn apart: means, orders and largest radii of all stations, the largest of the run so far, and
+/// Evaluates a measured turn: means, orders and largest radii of all stations, the largest radii of the run so far, and
 /// samples for spectra and orbits.
 static void runup_read_turn(const filling *f, const whirl_measured *m, size_t n, runup_station *stations) {
     const size_t probes = f->system->probe_count;
@@ -685,7 +698,7 @@ static void runup_read_turn(const filling *f, const whirl_measured *m, size_t n,
     }
 }
 
-/// Fills a run from a record in place of a machine.
+/// Fills the rows of a run from a measured record instead of a computed motion.
 static whirl_status runup_fill_measured(const whirl_resting *point, const whirl_runup_options *o,
                                         const block_view *view) {
     // Make memory for turns.
@@ -760,7 +773,8 @@ static void runup_compute_together(size_t count, const whirl_resting *points, co
             runup_jobs_run(job, 1);
             runup_job_end(job);
         }
-        // The balance knows responses at the speed of the shaft only.
+        // Find stationary speeds, except of geared machines: the balance of torques uses the response at one speed
+        // only.
         double *stationary = view_numbers(job->view, STATIONARY, 0);
         if (job->status.code == WHIRL_OK && stationary && !job->running->geared)
             job->status =

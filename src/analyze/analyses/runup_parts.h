@@ -72,10 +72,10 @@ typedef struct runup_views {
     const whirl_runup_options *options;
     double duration;      ///< s, of the whole run
     bool clockwise;       ///< sense of rotation
-    turn_samples samples; ///< samples of the turn; numbers are NULL if none are wanted
+    turn_samples samples; ///< samples of the turn; their numbers are NULL if no view is wanted
     turn_history history;
     double *memory;         ///< x and y of a spectrum
-    size_t spectra, orbits; ///< numbers that are filled, or whose time has passed
+    size_t spectra, orbits; ///< number of spectra and orbits that are filled, or whose time has passed
     size_t turns, events;   ///< complete turns, and turns with an event, so far
     double *largest;        ///< [probes + contacts] radius or force so far
     /// [WHIRL_RUNUP_WAVEFORMS][probes + contacts] turn whose end completes a waveform; 0: none.
@@ -126,7 +126,7 @@ whirl_status runup_views_new(const block_view *view, const whirl_runup_options *
                              size_t contacts, double duration, runup_views *views);
 void runup_views_free(runup_views *views);
 
-/// Takes a turn into account: fills what is due before it. WHIRL_NO_MEMORY.
+/// Adds a turn. First fills the spectra and orbits whose time comes before its end. WHIRL_NO_MEMORY.
 whirl_status runup_views_add(runup_views *views, const runup_turn *turn);
 
 /// Writes the data on which views of later turns depend to an archive, or reads them from it.

@@ -14,7 +14,7 @@ static double complex slow_roll_vector(const block_view *view, size_t station, s
     return isnan(lag) && isfinite(size) ? 0.0 : size * cexp(-I * lag * 3.141592653589793238463 / 180.0);
 }
 
-/// Finds the first two rows, one after the other, between whose speeds the speed lies. False if it never does.
+/// Finds the first two consecutive rows between whose speeds `speed` lies. False if no two rows enclose it.
 static bool slow_roll_rows(const double *speeds, size_t rows, double speed, size_t found[2]) {
     size_t before = rows;
     for (size_t row = 0; row < rows; row++) {

@@ -19,8 +19,8 @@ typedef struct balancing {
     const whirl_resting *point;
     whirl_running *running;
     size_t dimension; ///< dimension of the rotor's state
-    double *rest;     ///< [3][dimension] rest and response
-    double *x;        ///< [dimension by the angle] a state by the angle
+    double *rest;     ///< equilibrium [dimension], then the response [dimension][2]
+    double *x;        ///< [dimension + 2] a state of the run with the angle as variable
 } balancing;
 
 /// Computes the motor's torque and the braking torque, a mean over a turn of small motions at a speed, rad/s. Both are
@@ -61,7 +61,8 @@ static double balance_factor(const balancing *b, double speed) {
     return brake / motor;
 }
 
-/// Returns the slope of that factor over the speed, by a central difference of fourth order.
+/// Returns the slope over the speed of the factor that balance_factor computes, by a central difference of fourth
+/// order.
 static double balance_slope(const balancing *b, double speed) {
     const double h = 2e-5 * speed;
     return (8.0 * (balance_factor(b, speed + h) - balance_factor(b, speed - h)) -
@@ -96,7 +97,7 @@ static void balance_add(balance_rows *to, double first, double second, double th
     row[0] = first, row[1] = second, row[2] = third;
 }
 
-/// A speed, and the motor's torque less what brakes there.
+/// A speed, and the motor's torque less the braking torque at that speed.
 typedef struct balance_rest_at {
     double speed, rest;
 } balance_rest_at;

@@ -52,9 +52,9 @@ static double squares_of(const double *samples, size_t count) {
 /// higher orders, too. at_rest: sizes below this share of the largest displacement are no motion.
 static const double enough = 0.99, at_rest = 1e-7;
 
-/// Fills in the bins and the lines between them: of `bins` bins, or of twice, four times ... as many up to `most`,
-/// until the lines hold enough of the motion's mean square. By Parseval's theorem squares of all bins sum to 3 times
-/// that, since the window is squared. `power` has space for `most`. Returns the mean square of the lines.
+/// Fills in the bins and the lines between them. Searches `bins` bins, then twice, four times ... as many up to `most`,
+/// until they hold enough of `square`, the motion's mean square. The squares of all bins sum to 3 times the mean
+/// square: Parseval's theorem for windowed samples. `power` has space for `most`. Returns the mean square of the lines.
 static double spectrum_fill(whirl_spectrum *spectrum, const wave_transform *wave, double square, size_t bins,
                             size_t most, double *power) {
     double held = 0.0, lines = 0.0;
@@ -86,8 +86,8 @@ static double largest_of(const double *samples, size_t count) {
     return largest;
 }
 
-/// Analyses a signal of `turn` samples per revolution into a spectrum with space for its bins; lines of `bins` bins, up
-/// to `most` if there is more of the motion. False without memory.
+/// Computes the spectrum of x and y [count], `turn` samples per revolution. `spectrum` has space for its bins. Lines
+/// are searched in `bins` bins, or in up to `most` if these hold too little of the motion. False without memory.
 static bool spectrum_analyse(const double *of_x, const double *of_y, size_t count, size_t turn, size_t bins,
                              size_t most, whirl_spectrum *spectrum) {
     double *x = malloc((3 * count + most) * sizeof *x);
@@ -134,7 +134,7 @@ whirl_status spectrum_of(const double *x, const double *y, size_t count, size_t 
     }
     const size_t revolutions = count / samples_per_revolution;
     const size_t kept = spectrum_bins(revolutions, samples_per_revolution, highest_order);
-    // Two bins more, so that a line at the highest order has a right side.
+    // Two more bins give a line at the highest order a neighbour on its right.
     const size_t bins = spectrum_bins(revolutions, samples_per_revolution, highest_order + 2.0 / (double)revolutions);
 
     const size_t most = further ? spectrum_bins(revolutions, samples_per_revolution, INFINITY) : bins;

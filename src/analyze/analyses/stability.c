@@ -48,18 +48,18 @@ static const field_plan fields[FIELD_COUNT] = {
                    WHIRL_PER_POINT, 1, NULL},
     [COMPLETE] = {WHIRL_FIELD_STABILITY_COMPLETE, "1",
                   "logarithmic decrement with bearings, stages, seals and impellers", WHIRL_PER_POINT, 1, NULL},
-    [FREQUENCY] = {WHIRL_FIELD_STABILITY_FREQUENCY, "rad/s", "of the mode with bearings and stages", WHIRL_PER_POINT, 1,
-                   NULL},
+    [FREQUENCY] = {WHIRL_FIELD_STABILITY_FREQUENCY, "rad/s", "frequency of the mode with bearings and stages",
+                   WHIRL_PER_POINT, 1, NULL},
     [RIGID] = {WHIRL_FIELD_STABILITY_RIGID, "rad/s", "first forward critical speed without damping on rigid supports",
                WHIRL_PER_POINT, 1, NULL},
     [RATIO] = {WHIRL_FIELD_STABILITY_RATIO, "1", "critical speed ratio: the speed over that on rigid supports",
                WHIRL_PER_POINT, 1, NULL},
     [DENSITY] = {WHIRL_FIELD_STABILITY_DENSITY, "kg/m3", "average density of the gas (missing if not given)",
                  WHIRL_PER_POINT, 1, NULL},
-    [REGION] = {WHIRL_FIELD_STABILITY_REGION, "1", "of the screening diagram: 0: A, 1: B (missing without the density)",
-                WHIRL_PER_POINT, 1, NULL},
-    [CROSS_COUPLING] = {WHIRL_FIELD_STABILITY_CROSS_COUPLING, "N/m", "of all stages, along the curve", WHIRL_PER_POINT,
-                        1, curve_points},
+    [REGION] = {WHIRL_FIELD_STABILITY_REGION, "1",
+                "region of the screening diagram: 0: A, 1: B (missing without the density)", WHIRL_PER_POINT, 1, NULL},
+    [CROSS_COUPLING] = {WHIRL_FIELD_STABILITY_CROSS_COUPLING, "N/m", "cross coupling of all stages, along the curve",
+                        WHIRL_PER_POINT, 1, curve_points},
     [CURVE] = {WHIRL_FIELD_STABILITY_CURVE, "1", "logarithmic decrement with bearings and that cross coupling",
                WHIRL_PER_POINT, 1, curve_points},
     [PART] = {WHIRL_FIELD_STABILITY_PART, "1",
@@ -100,8 +100,8 @@ static double highest_of(const whirl_modes *modes, const bool *any, double clock
     return isfinite(first) ? fmax(speed, first) : speed;
 }
 
-/// Marks the deciding modes: not clearly backward, and with visible damping; if there are none, with any damping. Modes
-/// of two almost uncoupled planes have no definite direction and both decide.
+/// Marks the deciding modes: not clearly backward, and damped less than 0.8 of critically; if there are none, with any
+/// damping. In two almost uncoupled planes, modes have no definite direction, and both decide.
 static void stability_choose(const whirl_modes *modes, double clock, double speed, bool *any) {
     static const double backward = -0.3, damped[] = {0.8, INFINITY};
     bool found = false;
@@ -155,7 +155,8 @@ static whirl_status stability_follow(const deciding *from, const whirl_modes *mo
     return status;
 }
 
-/// Computes the decrement of modes, followed from those with bearings alone; chosen anew if none of these is left.
+/// Computes the decrement of the deciding modes, followed from the machine with bearings alone. If none of them is
+/// left, chooses the deciding modes anew.
 static whirl_status stability_report(probing *p, const whirl_machine *machine, const whirl_modes *modes,
                                      double *decrement) {
     const bool known = p->from.modes && p->from.modes->dimension == modes->dimension;
@@ -308,7 +309,7 @@ static whirl_status find_rigid(const whirl_resting *point, double *speed) {
         }
         before = own;
     }
-    // A machine without undamped critical speeds has no such ratio.
+    // A machine without undamped critical speeds has no critical speed ratio.
     return status.code == WHIRL_BAD_INPUT ? whirl_ok() : status;
 }
 

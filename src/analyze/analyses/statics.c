@@ -169,8 +169,8 @@ static whirl_status fill_films(const whirl_resting *point, const block_view *vie
     return status.code == WHIRL_NUMERICAL_FAILURE ? whirl_ok() : status;
 }
 
-/// Fills in stiffness and damping of bearings at the equilibrium of a turning machine; none beyond the speeds of their
-/// tables, nor for bearings without either.
+/// Fills in stiffness and damping of bearings at the equilibrium of a turning machine. They stay missing beyond the
+/// speeds of a bearing's table, and for bearings that have neither.
 static whirl_status fill_coefficients(const whirl_resting *point, const block_view *view) {
     const size_t probes = point->system->probe_count;
     double *numbers = malloc((8 * probes + 1) * sizeof *numbers);
@@ -194,7 +194,7 @@ static whirl_status statics_compute(const whirl_resting *point, const whirl_reco
     (void)options;
     whirl_status status = point->at_speed(point->context, 0.0, WHIRL_WITH_STATICS, 0.0, &machine);
     if (status.code != WHIRL_OK) return status;
-    // Effects of weight, from the machine at standstill.
+    // Fill in the effects of weight, from the machine at standstill.
     for (size_t p = 0; p < probes && machine.statics; p++) {
         const whirl_station_statics *at = &machine.statics[p];
         *view_numbers(view, LOAD, p) = at->load;
@@ -211,7 +211,7 @@ static whirl_status statics_compute(const whirl_resting *point, const whirl_reco
     }
     if (machine.release) machine.release(machine.owner);
     if (!machine.statics) return whirl_fail(WHIRL_BAD_INPUT, "the machine has no statics");
-    // Films and coefficients, at the point's speed.
+    // Fill in films and coefficients, at the point's speed.
     status = fill_films(point, view);
     return status.code == WHIRL_OK ? fill_coefficients(point, view) : status;
 }

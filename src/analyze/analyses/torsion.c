@@ -55,15 +55,16 @@ static const field_plan fields[FIELD_COUNT] = {
     [FREQUENCY] = {WHIRL_FIELD_TORSION_FREQUENCY, "rad/s", "frequency of the excitation", WHIRL_PER_POINT, 1,
                    torsion_excitations},
     [UNBALANCED] = {WHIRL_FIELD_TORSION_UNBALANCED, "N m",
-                    "steady torque that nothing takes up, referred to the speed of the shaft; 0: they balance",
+                    "steady torque that nothing takes up, referred to the speed of the shaft; 0: torques balance",
                     WHIRL_PER_POINT, 1, NULL},
     [STATION_SPEED] = {WHIRL_FIELD_TORSION_STATION_SPEED, "rad/s", "speed of the station, by its gears",
                        WHIRL_PER_STATION, 1, NULL},
     [ANGLE] = {WHIRL_FIELD_TORSION_ANGLE, "rad",
                "amplitude (zero to peak) of the twist by each excitation (missing at stations that do not twist)",
                WHIRL_PER_STATION, 1, torsion_excitations},
-    [LAG] = {WHIRL_FIELD_TORSION_LAG, "deg", "by which its peak comes after phase 0 of the excitation",
-             WHIRL_PER_STATION, 1, torsion_excitations},
+    [LAG] = {WHIRL_FIELD_TORSION_LAG, "deg",
+             "angle by which the peak of the twist comes after phase 0 of the excitation", WHIRL_PER_STATION, 1,
+             torsion_excitations},
     [RATE] = {WHIRL_FIELD_TORSION_RATE, "rad/s", "amplitude (zero to peak) of the angular velocity by each excitation",
               WHIRL_PER_STATION, 1, torsion_excitations},
     [ANGLE_SUM] = {WHIRL_FIELD_TORSION_ANGLE_SUM, "rad", "sum of the amplitudes of all excitations: the worst case",
@@ -81,14 +82,15 @@ static const field_plan fields[FIELD_COUNT] = {
     [TORQUE] = {WHIRL_FIELD_TORSION_TORQUE, "N m",
                 "amplitude (zero to peak) by each excitation: all excitations of the first torque, then of the next",
                 WHIRL_PER_POINT, 1, torsion_paths_and_excitations},
-    [TORQUE_LAG] = {WHIRL_FIELD_TORSION_TORQUE_LAG, "deg", "by which its peak comes after phase 0 of the excitation",
-                    WHIRL_PER_POINT, 1, torsion_paths_and_excitations},
+    [TORQUE_LAG] = {WHIRL_FIELD_TORSION_TORQUE_LAG, "deg",
+                    "angle by which the peak of the torque comes after phase 0 of the excitation", WHIRL_PER_POINT, 1,
+                    torsion_paths_and_excitations},
     [TORQUE_SUM] = {WHIRL_FIELD_TORSION_TORQUE_SUM, "N m", "sum of the amplitudes of all excitations: the worst case",
                     WHIRL_PER_POINT, 1, torsion_paths},
     [STRESS] = {WHIRL_FIELD_TORSION_STRESS, "Pa",
                 "shear stress by that sum in the weakest section (missing where its diameter is not known)",
                 WHIRL_PER_POINT, 1, torsion_paths},
-    [POWER] = {WHIRL_FIELD_TORSION_POWER, "W", "taken by the damping of the shaft, coupling or mesh, on average",
+    [POWER] = {WHIRL_FIELD_TORSION_POWER, "W", "power taken by the damping of the shaft, coupling or mesh, on average",
                WHIRL_PER_POINT, 1, torsion_paths},
 };
 
@@ -131,7 +133,7 @@ static void torsion_fill_machine(const whirl_resting *point, const block_view *v
     }
 }
 
-/// Fills in the steady torques, unless they do not balance. v [dimension][2], drive likewise.
+/// Fills in the steady torques, unless they do not balance. v and drive [dimension][2] are workspace.
 static whirl_status torsion_fill_steady(const whirl_resting *point, const block_view *view, const double *rest,
                                         double *drive, double *v, double *turn) {
     static const double rounding = 1e-9;
@@ -230,7 +232,7 @@ static whirl_status torsion_compute(const whirl_resting *point, const whirl_reco
     double *rest = calloc(8 * d + 2 * system->probe_count + 1, sizeof *rest);
     if (!rest) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the response of %zu coordinates", d);
     double *drive = rest + d, *v = drive + 2 * d, *turn = v + 2 * d, *shape = turn + 3 * d;
-    // Rest, modes, steady torques, then one excitation after another.
+    // Compute the equilibrium and modes, steady torques, then the response to one excitation after another.
     memcpy(rest, point->start, d * sizeof *rest);
     status = whirl_equilibrium(system, rest);
     *view_numbers(view, SPEED, 0) = point->speed;

@@ -76,10 +76,10 @@ static const field_plan fields[FIELD_COUNT] = {
     [VOLUME] = {WHIRL_FIELD_TORUS_VOLUME, "1/revolution", "sum of all exponents by the divergence", WHIRL_PER_POINT, 1,
                 NULL},
     [NODE_COUNT] = {WHIRL_FIELD_TORUS_NODE_COUNT, "1", "nodes of the closed curve", WHIRL_PER_POINT, 1, NULL},
-    [RESIDUAL] = {WHIRL_FIELD_TORUS_RESIDUAL, "1", "by which the curve fails to be carried onto itself at its nodes",
-                  WHIRL_PER_POINT, 1, NULL},
-    [ERROR] = {WHIRL_FIELD_TORUS_ERROR, "1", "by which it fails between them, over its radius", WHIRL_PER_POINT, 1,
-               NULL},
+    [RESIDUAL] = {WHIRL_FIELD_TORUS_RESIDUAL, "1",
+                  "error by which the curve fails to be carried onto itself at its nodes", WHIRL_PER_POINT, 1, NULL},
+    [ERROR] = {WHIRL_FIELD_TORUS_ERROR, "1", "the same error between the nodes, over the radius of the curve",
+               WHIRL_PER_POINT, 1, NULL},
     [TAIL] = {WHIRL_FIELD_TORUS_TAIL, "1", "last two harmonics of the curve over its largest", WHIRL_PER_POINT, 1,
               NULL},
     [EXPONENTS] = {WHIRL_FIELD_TORUS_EXPONENTS, "1/revolution", "exponent, error", WHIRL_PER_POINT, 2,
@@ -113,14 +113,14 @@ static void put_place(const block_view *view, const whirl_torus_trace *trace) {
 
 static void put_torus(const block_view *view, const whirl_torus *torus) {
     double *resonance = view_numbers(view, RESONANCE, 0), *exponents = view_numbers(view, EXPONENTS, 0);
-    // The rotation number, and the resonance near it.
+    // Write the rotation number, and the resonance near it.
     *view_numbers(view, REVOLUTIONS, 0) = (double)torus->revolutions;
     *view_numbers(view, ROTATION, 0) = torus->rotation;
     if (torus->resonance > 0) {
         resonance[0] = round((double)torus->resonance * torus->rotation);
         resonance[1] = (double)torus->resonance;
     }
-    // The curve.
+    // Write the measures of the curve.
     *view_numbers(view, RADIUS, 0) = torus->radius;
     *view_numbers(view, UNSTABLE, 0) = (double)torus->unstable;
     *view_numbers(view, VOLUME, 0) = torus->volume;
@@ -128,7 +128,7 @@ static void put_torus(const block_view *view, const whirl_torus *torus) {
     *view_numbers(view, RESIDUAL, 0) = torus->residual;
     *view_numbers(view, ERROR, 0) = torus->error;
     *view_numbers(view, TAIL, 0) = torus->tail;
-    // Exponents of perturbations normal to it.
+    // Write the exponents of perturbations normal to the curve.
     for (size_t i = 0; i < torus->exponent_count; i++) {
         exponents[2 * i] = torus->exponents[i];
         exponents[2 * i + 1] = torus->exponent_errors[i];

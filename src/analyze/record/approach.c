@@ -14,7 +14,7 @@
 /// Longest orbit that is searched while a motion settles: two of its returns must fit into the kept states.
 enum { MAX_REPEATS = 40 };
 
-/// A search starts when returns are within the first share of the state's size, after they have shrunk by the second.
+/// A search starts when returns are within `near_enough` of the state's size, after they have shrunk by `has_shrunk`.
 static const double near_enough = 3e-3, has_shrunk = 0.75;
 
 /// Largest correct difference of a return from its prediction, as a share of the distance by which the return shortens.
@@ -31,9 +31,9 @@ struct approach {
     int next;               ///< first revolution of the next attempt by Newton's method
     double spent;           ///< revolutions by Newton's method
     orbit_search *orbit;    ///< NULL: no stable one was found
-    size_t past;            ///< revolutions of it that the motion has done
+    size_t past;            ///< revolutions of the orbit's present period that the motion has completed
     size_t good;            ///< consecutive returns that were predicted correctly
-    double far;             ///< distance before the first of them
+    double far;             ///< distance before the first of these returns
     double last;            ///< present distance
     double begun;           ///< distance when the orbit was found
     double least_shrinking; ///< factor by which a return shortens every distance at least
@@ -145,8 +145,8 @@ static bool closes_in(const approach *a, const settling *s, size_t k, int revolu
     return late <= a->noise * size || late <= has_shrunk * largest_return(a, s, k, window, window);
 }
 
-/// Returns the least divisor of k after which the motion returns nearly as well: a spiral that goes round in k
-/// revolutions approaches its limit after k first.
+/// Returns the least divisor of k after which the motion returns nearly as well as after k. A motion that spirals
+/// towards an orbit of a shorter period, once round it in k revolutions, returns closest after k.
 static size_t approach_shortest(const approach *a, const settling *s, size_t k, size_t repeats, int revolution) {
     const double as_well = 3.0;
     const size_t window = window_of(k, revolution);

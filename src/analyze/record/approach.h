@@ -29,7 +29,7 @@ size_t approach_tries(approach *a, const settling *states, int revolution);
 /// Takes the result of Newton's method that started at the last state: the approach then owns *s. WHIRL_NO_MEMORY.
 whirl_status approach_take(approach *a, orbit_search *s, const settling *states, int revolution);
 
-/// Checks the last revolution, if an orbit is known. Called before approach_arrives.
+/// Compares the last return with its prediction, if an orbit is known. Called before approach_arrives.
 void approach_goes_on(approach *a, const settling *states);
 
 /// Returns true if the motion, at the start of the orbit's first revolution, is so near a stable orbit, and approaches

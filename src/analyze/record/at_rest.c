@@ -13,8 +13,8 @@
 /// Largest size of a motion at rest, over the state's size.
 static const double near_enough = 1e-5;
 
-/// Returns the smallest size of a state: motions below near_enough of it are not resolved by the steps, or are
-/// rounding.
+/// Returns the size that a state counts as at least: below `near_enough` of it the steps do not resolve a motion, or it
+/// is rounding.
 static double least_scale(const whirl_integrate_options *integrate) {
     const double tolerances = 100.0, rounding = 1e-12;
     return fmax(whirl_method_is_adaptive(integrate->method) ? tolerances * integrate->atol : 0.0, rounding) /

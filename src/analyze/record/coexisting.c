@@ -21,7 +21,7 @@ static bool coexisting_is_within(const whirl_record *record, const double *x) {
     return true;
 }
 
-/// Returns true if nothing drives the system in time; `work` has 2 dimension + forcing_count numbers.
+/// Returns true if the equations do not depend on time; `work` has 2 dimension + forcing_count numbers.
 static bool coexisting_is_free(const whirl_system *system, const double *x, double *work) {
     enum { INSTANTS = 7 };
     const size_t d = system->dimension;
@@ -47,14 +47,14 @@ static whirl_status coexisting_rest(const whirl_system *system, const whirl_reco
         status = whirl_modes_new(system, record->section + k * (record->section_count / STATES) * d, &modes);
         if (status.code == WHIRL_OK && modes->growth < 0.0 && coexisting_is_within(record, modes->rest))
             *coexisting = WHIRL_COEXISTING_AT_REST;
-        if (status.code != WHIRL_NO_MEMORY) status = whirl_ok(); // none from there
+        if (status.code != WHIRL_NO_MEMORY) status = whirl_ok(); // this state leads to no equilibrium
         whirl_modes_free(modes);
     }
     free(work);
     return status;
 }
 
-/// Starts of orbit searches: near states of the section, the last of many.
+/// Number of orbit searches. They start near states of the section, from its end backwards at equal distances.
 enum { STARTS = 32 };
 
 /// Options for orbit searches: the motion's own method, or one that is exact enough to tell stability.

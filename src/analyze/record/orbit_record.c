@@ -21,8 +21,9 @@ static void orbit_record_keep(void *context, double t, const double *x) {
     memcpy(p->states + p->next * p->dimension, x, p->dimension * sizeof *x);
 }
 
-/// Instants of a segment: as many as the options have for a revolution (for the whole orbit if its period is free) and,
-/// for revolutions, so many more that samples are instants.
+/// Returns the number of instants of a segment. A revolution has as many as the options have steps; an orbit with a
+/// free period has them in the whole orbit. For an orbit of whole revolutions the number is raised until samples fall
+/// on instants.
 static size_t instants_of(const whirl_orbit *orbit, const whirl_orbit_options *options, size_t samples) {
     const size_t steps = (size_t)options->integrate.steps_per_revolution;
     const size_t segments = orbit->segment_count / (orbit->revolutions > 0 ? orbit->revolutions : 1);

@@ -174,8 +174,8 @@ static void begin_revolution(orbit_searches *s, size_t lane) {
     whirl_ensemble_carry(s->ensemble, lane, &s->sets[lane]);
 }
 
-/// Stores revolution r of a search: its derivative, and the state at its end, the next node or, past the last one,
-/// `end`.
+/// Stores revolution r of a search: its derivative, and its end state. That is the next node; after the last revolution
+/// it is written to `end`.
 static void end_revolution(const orbit_searches *s, size_t lane, orbit_search *of, size_t r, double *end) {
     const size_t d = s->dimension, n = of->kept;
     const double *vectors = s->vectors + lane * d * d;

@@ -16,8 +16,8 @@ bool orbits_pay(size_t dimension, const whirl_record_options *options, size_t k,
 /// too much.
 size_t orbits_settled_period(const whirl_record *record, const whirl_record_options *options);
 
-/// Notes in a record with known bounds the orbit that Newton's method found, or that it found none, at this distance
-/// from the motion.
+/// Writes to a record with known bounds the orbit that Newton's method found, and the motion's distance from it; or
+/// that it found none.
 void orbits_record(whirl_record *record, const orbit_search *s, double distance);
 
 #endif

@@ -6,8 +6,8 @@
 
 #include "turns.h"
 
-/// Size of the perturbation relative to the motion: far above rounding, far below anything nonlinear. Also in
-/// tolerances.
+/// Size of the perturbation relative to the motion: least_share is far above rounding, most_share far below anything
+/// nonlinear. Between both, it is `share_in_tolerances` relative tolerances for methods whose errors have a history.
 static const double least_share = 1e-8, most_share = 1e-4, share_in_tolerances = 1e4;
 
 /// The distance stays the same until the motion is this many times larger or smaller than when it was chosen.

@@ -66,7 +66,7 @@ static void record_block_lay_out(whirl_record *record, double *block, const size
 #undef CUT
 }
 
-/// Numbers that are observed at every instant.
+/// Returns how many numbers of a record are observed at every instant.
 static size_t record_block_observed(size_t dimension, size_t probes, size_t contacts) {
 #define COUNT(array, extent, columns, ...) +WHIRL_WATCHED_SIZE(extent, columns, probes, contacts)
     return 3 * dimension WHIRL_WATCHED(COUNT);

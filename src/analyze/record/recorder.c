@@ -41,7 +41,7 @@ struct whirl_recorder {
     const whirl_stop *stop; ///< stop of the system
     const whirl_record_options *options;
     whirl_ensemble *ensemble;
-    whirl_ensemble *variational; ///< carries all perturbations, next to the other one; or NULL
+    whirl_ensemble *variational; ///< carries all perturbations, next to `ensemble`; or NULL
     orbit_searches *searches;    ///< searches orbits, or NULL
     size_t dimension, lane_count;
     size_t carried;          ///< perturbations of a motion that the Jacobian carries
@@ -170,7 +170,8 @@ static motion *motion_new(const whirl_recorder *r, const whirl_task *task) {
     m->first_recorded = r->options->transient;
     if (m->record && recorder_follows(r, m)) perturbed_copy_begin(&m->copy, m->x);
     if (r->options->settle) m->settling = settling_new(task->system);
-    // The smallest of all exponents are lost in a matrix's rounding, so such motions run to the end.
+    // With all exponents, motions run to the end: an orbit's smallest multipliers are lost in the rounding of its
+    // matrix.
     const bool approaches = m->settling && r->searches && r->options->growth != WHIRL_GROWTH_ALL;
     if (approaches) m->approach = approach_new(task->system, r->integrate, r->options);
     if (m->record && (m->settling || !r->options->settle) && (m->approach || !approaches)) return m;
@@ -180,8 +181,8 @@ static motion *motion_new(const whirl_recorder *r, const whirl_task *task) {
 
 // ---------------------------------------------------------------- motions are saved and taken up
 
-/// Serializes a motion between two revolutions, with the watched numbers of its lane if it is in one. A perturbed copy
-/// has no more than its state.
+/// Archives (saves or restores) a motion between two revolutions, with the watched numbers of its lane if it is in one.
+/// A perturbed copy has no watched numbers, only its state.
 static void motion_archive(const whirl_recorder *r, motion *m, archive *a) {
     record_archive(m->record, r->integrate, r->options, a);
     archive_part(a, &m->revolution, sizeof m->revolution);
@@ -237,7 +238,7 @@ void whirl_motion_states_free(whirl_motion_state *states, size_t count) {
     free(states);
 }
 
-/// Makes a motion that continues from a saved state; one that begins if the bytes do not fit. NULL without memory.
+/// Makes a motion that continues from a saved state, or a new one if the bytes do not fit. NULL without memory.
 static motion *motion_restored(const whirl_recorder *r, const whirl_task *task, void *bytes, size_t size) {
     motion *m = motion_new(r, task);
     if (!m || !bytes) return m;
@@ -247,7 +248,7 @@ static motion *motion_restored(const whirl_recorder *r, const whirl_task *task, 
         motion_free(m);
         return motion_new(r, task);
     }
-    // It was saved before the revolution in which its growth is followed.
+    // The state was saved before the first revolution in which growth is followed.
     if (recorder_follows(r, m) && m->record->growth_count == 0) perturbed_copy_begin(&m->copy, m->x);
     return m;
 }
@@ -389,7 +390,7 @@ static double *waveform_of(const whirl_recorder *r, size_t lane) {
 static void keep_samples(const whirl_recorder *r) {
     enum { NEIGHBOURS = 8 };
     const size_t rows = 2 * r->probe_count;
-    const size_t capacity = (size_t)r->options->record * r->sample_count; // as many samples in every revolution
+    const size_t capacity = (size_t)r->options->record * r->sample_count; // every revolution has as many samples
     for (size_t first = 0; first < r->used && r->sample_count > 0; first += NEIGHBOURS) {
         double *to[NEIGHBOURS];
         for (size_t i = 0; i < NEIGHBOURS; i++) to[i] = waveform_of(r, first + i);
@@ -415,7 +416,7 @@ static void follow_copy(whirl_recorder *r, motion *m) {
     whirl_ensemble_place(r->ensemble, m->copy_lane, m->copy.x);
 }
 
-/// Carries the perturbations of all watched motions, if they have an ensemble of their own.
+/// Carries the perturbations of all watched motions if r->variational, an ensemble of their own, exists.
 static whirl_status follow_all(whirl_recorder *r) {
     size_t count = 0;
     for (size_t i = 0; r->variational && i < r->count; i++) {
@@ -552,8 +553,8 @@ static whirl_status take_search(const whirl_recorder *r, motion *m) {
     return whirl_ok();
 }
 
-/// Returns how many of `count` motions may wait on for Newton's method: those that fill less than half of its lanes,
-/// while several times as many motions run, and none of those that wait is over.
+/// Returns how many of `count` motions may continue to wait for Newton's method: fewer than half of its lanes and fewer
+/// than a quarter of the other motions; none once a waiting motion has reached its last revolution or has diverged.
 static size_t may_wait(const whirl_recorder *r, size_t count) {
     const size_t lanes = orbit_searches_lanes(r->searches) / 2, others = (r->count - count) / 4;
     const size_t most = lanes < others ? lanes : others;
@@ -690,7 +691,7 @@ static whirl_status recorder_start(whirl_recorder *r, const whirl_system *system
     r->lane_count = whirl_ensemble_lanes(r->ensemble);
     r->owner = calloc(r->lane_count, sizeof(motion *));
     r->recorded = calloc(r->lane_count, sizeof *r->recorded);
-    if (r->max_count == 0) r->max_count = r->searches ? 2 * r->lane_count : r->lane_count; // some wait
+    if (r->max_count == 0) r->max_count = r->searches ? 2 * r->lane_count : r->lane_count; // some wait for their orbit
     r->motions = calloc(r->max_count, sizeof(motion *));
     r->probes = system->probes;
     r->probe_count = system->probe_count;

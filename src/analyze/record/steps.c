@@ -5,8 +5,8 @@
 
 #include "section.h"
 
-/// Error of a revolution, as a share of the size of the motion, from which on the computed motion is another one
-/// (wrong_error), or may be one (coarse_error).
+/// Error of a revolution, as a share of the size of the motion, from which on the computed motion is not the machine's
+/// (wrong_error), or may not be (coarse_error).
 static const double wrong_error = 0.1, coarse_error = 1e-2;
 
 /// Error at which advised steps aim (good_error), and the tolerance with which the equations are integrated to measure
@@ -23,7 +23,7 @@ static bool are_unstable(double growth) {
 static void add_check(whirl_step_quality *all, const whirl_step_check *check, const whirl_integrate_options *integrate,
                       double size) {
     const double error = check->error / size;
-    all->growth = fmax(all->growth, check->growth); // takes the one that is a number
+    all->growth = fmax(all->growth, check->growth); // fmax ignores a NaN
     all->error = fmax(all->error, error);
     all->factor = fmax(all->factor, check->steps / integrate->steps_per_revolution);
     // Errors of a method of order 4.
@@ -57,9 +57,9 @@ static whirl_status look_at_diverged(const whirl_system *system, const whirl_int
     return status;
 }
 
-/// Checks that a motion is large next to the absolute tolerance, which bounds errors of single steps; those of a
+/// Checks that a motion is large compared with the absolute tolerance, which bounds errors of single steps; those of a
 /// revolution are several times as large. Measured with dop853 and rodas5p on a linear rotor: exponents err by 0.4 and
-/// 4 % where the motion is 110 tolerances large, and the motion is another where it is one tolerance large.
+/// 4 % where the motion is 110 tolerances large; where it is one tolerance large, the computed motion is wrong.
 static void look_at_tolerance(const whirl_integrate_options *integrate, whirl_record *record) {
     const double in_a_revolution = 10.0, size = motion_size(record);
     const double error = in_a_revolution * integrate->atol / size;

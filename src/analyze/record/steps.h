@@ -7,8 +7,8 @@
 
 #include "section.h"
 
-/// Fills record->steps of a finished motion whose rest is known: fixed steps by a few of its revolutions, the absolute
-/// tolerance by the motion's size.
+/// Fills record->steps of a finished motion whose record->rest is known. Fixed steps are judged by a few revolutions of
+/// the motion, the absolute tolerance by the motion's size.
 whirl_status steps_look(const whirl_system *system, const whirl_integrate_options *integrate, whirl_record *record);
 
 /// Corrects a verdict for steps that are too long: it becomes undetermined if they are unstable or far from the exact

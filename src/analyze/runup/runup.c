@@ -18,8 +18,7 @@ static double runup_time_of(const runner *r, const double *x) {
     return x[r->rotor + 1] / r->unit;
 }
 
-/// Returns the angle of a state since the beginning of the run. If the angle is the variable, returns that of the
-/// beginning of the turn.
+/// Returns the angle of the shaft in a state. With the angle as variable, returns that at the beginning of the turn.
 static double runup_angle_of(const runner *r, const double *x) {
     return r->by_time ? x[r->rotor + 2] : r->angle0;
 }
@@ -30,7 +29,7 @@ static void runup_set_turning(runner *r, const whirl_turning *how) {
     r->settings++;
 }
 
-/// Sets the machine and the variable.
+/// Selects the machine `side` and the variable, time or angle.
 static void runup_go_by(runner *r, size_t side, bool time) {
     r->settings++;
     r->side = side;
@@ -66,7 +65,7 @@ static void runup_keep_sample(void *context, double t, const double *x) {
     memcpy(s->r->samples + s->next++ * s->r->dimension, x, s->r->dimension * sizeof *x);
 }
 
-/// Carries x over a length; by the angle, from `from` on.
+/// Carries x over `length` of the variable; with the angle as variable, from the angle `from` on.
 static whirl_motion runup_carry_part(runner *r, double from, double length, double *x) {
     if (length <= 0.0) return WHIRL_BOUNDED;
     r->machine->part(r->machine, from, length);
@@ -192,7 +191,7 @@ static double runup_find_change(runner *r, size_t contact, const double *state, 
     const double low = runup_switch_of(r, there, which);
     if (runup_carry_part(r, from, length, there) != WHIRL_BOUNDED) return runup_time_of(r, state);
     const double high = runup_switch_of(r, there, which);
-    // A damped contact lets go before its gap opens: then the instant is known to the sample.
+    // A damped contact lets go before its gap opens: then the instant is known only to the distance of samples.
     if (!(low * high < 0.0)) return runup_time_of(r, there);
     runup_find_passage(r, runup_switch_of, which, 0.0, state, from, length, low, high, there);
     return runup_time_of(r, there);
@@ -290,8 +289,8 @@ static void runup_compare_copy(runner *r) {
     runup_place_copy(r, apart > 0.0 ? wanted / apart : 0.0);
 }
 
-/// Fills in the weight of a sample in means, and its factors in orders: the weight is the share of the turn, of that
-/// `length`, and the factors are 2 exp(-i k angle).
+/// Fills in the weight of a sample in means, and its factors in orders. The weight is the share of the sample in a
+/// turn, in a part whose samples are `length` apart; the factors are 2 exp(-i k angle).
 static void runup_fill_weights(runup_weights *of, size_t k, size_t count, double length, double angle) {
     const double complex turn = cexp(-I * angle);
     double complex turned = 2.0;
@@ -482,7 +481,7 @@ enum {
     EVENT_FIRST ///< the first of the run's own events; others follow
 };
 
-/// The end by time and by speed, a corner, a turn, a torque; and two conditions of every event besides its formula.
+/// Maximum number of conditions: the end by time and by speed, a corner, a turn, a torque; and three for every event.
 enum { MAX_COMING = 5 + 3 * RUNUP_EVENTS };
 
 /// Something that happens when a quantity passes a target, rising (1), falling (-1) or both (0).
@@ -548,7 +547,7 @@ static size_t runup_first_of_course(const runner *r) {
     return r->run->event_count - (r->plan->course ? r->plan->course->event_count : 0);
 }
 
-/// Lists the conditions of event k that has not happened.
+/// Lists the conditions of event k, which has not happened yet.
 static size_t runup_list_event(const runner *r, size_t k, coming *list) {
     const runup_happening *own = &r->run->events[k];
     const size_t first = runup_first_of_course(r);
@@ -666,7 +665,7 @@ static bool runup_let_happen(runner *r, size_t k) {
     return own->is.end || r->status.code != WHIRL_OK;
 }
 
-/// Applies `what` happens. Returns true if the run ends.
+/// Applies the event `what`. Returns true if the run ends.
 static bool runup_happen(runner *r, int what) {
     bool ends = false;
     if (what == EVENT_NONE || what == EVENT_TURN || what == EVENT_TORQUE) return false;
@@ -722,7 +721,7 @@ static int runup_find_event(runner *r, double from, double length, double *at, d
     int first = EVENT_NONE;
     *at = length;
     for (size_t i = 0; i < events; i++) {
-        // A speed that pulsates may pass and return between the ends of a part.
+        // A speed that pulsates may pass its target and return between the ends of a part.
         if (list[i].of == runup_time_quantity && list[i].target > runup_time_of(r, runup_sample(r, count))) continue;
         double before = list[i].of(r, runup_sample(r, 0), list[i].which);
         for (size_t k = 0; k < count && (double)k * step < *at; k++) {
@@ -758,7 +757,7 @@ static runup_end runup_end_of(const runner *r, whirl_motion motion) {
     return r->x[r->rotor] < 1e-3 || isnan(r->x[r->rotor]) ? RUNUP_STALLED : RUNUP_STUCK;
 }
 
-/// Returns the most steps of a part by time of which the samples show each one.
+/// Returns the largest number of steps of a part by time at which its samples still show every step.
 static double runup_most_steps(const runner *r) {
     // A part has 8 steps at least where the machine has switches.
     enum { SAMPLES_OF_STEP = 4, MIN_STEPS = 16 };
@@ -859,7 +858,7 @@ static void runup_take_part(runner *r, whirl_motion motion) {
     if (what == EVENT_NONE && (!r->by_time || runup_ends_turn(r, r->x))) what = EVENT_TURN;
     r->turns = what == EVENT_TURN ? runup_whole_turns(r) + 1.0 : r->turns + passed / two_pi;
     r->passed += passed;
-    // Let happen what happens there.
+    // Apply the event found, and all others whose conditions hold at its instant.
     bool ends = runup_happen(r, what);
     ends = runup_happen_now(r) || ends;
     if (r->status.code == WHIRL_OK && ends) {
@@ -978,7 +977,7 @@ whirl_motion runup_carry_alone(runner *r) {
 
 // ---------------------------------------------------------------- saving
 
-/// Processes how the shaft turns; laws and formulas are the plan's.
+/// Archives (saves or restores) how the shaft turns; laws and formulas stay those of the plan.
 static void runup_archive_turning(const runner *r, whirl_turning *how, archive *a) {
     archive_part(a, how, sizeof *how);
     how->course = r->plan->course;
@@ -990,7 +989,7 @@ static void runup_archive_where(const runner *r, runup_where *where, archive *a)
     if (where->side >= r->side_count || where->lost > r->lost_count) a->sound = false;
 }
 
-/// Processes the changes of the machine, the lost unbalances, and the variable.
+/// Archives (saves or restores) the changes of the machine, the lost unbalances, and the variable.
 static void runup_archive_setting(runner *r, archive *a) {
     size_t changes = r->side_count - 1, side = r->side, by_time = r->by_time;
     archive_count(a, &changes, WHIRL_MAX_EVENTS);
@@ -1008,7 +1007,7 @@ static void runup_archive_setting(runner *r, archive *a) {
     runup_set_turning(r, &r->how);
 }
 
-/// Processes what was found so far.
+/// Archives (saves or restores) the results so far.
 static void runup_archive_found(runup_run *run, const runner *r, archive *a) {
     archive_part(a, &run->error, sizeof run->error);
     archive_part(a, run->sensitivity, sizeof run->sensitivity);
@@ -1025,7 +1024,7 @@ void runup_archive(runup_state *r, archive *a) {
     archive_same(a, (double)r->most);
     archive_same(a, (double)r->plan->options->samples);
     runup_archive_setting(r, a);
-    // The state, and the copy that follows it.
+    // Archive the state, and the copy that follows it.
     size_t copied = r->copy != NULL;
     archive_count(a, &copied, r->copy != NULL);
     if (copied == 0) r->copy = NULL;
@@ -1039,7 +1038,7 @@ void runup_archive(runup_state *r, archive *a) {
     archive_part(a, &r->turns, sizeof r->turns);
     archive_count(a, &r->settled, (size_t)r->plan->options->settle);
     archive_part(a, &r->begun, sizeof r->begun);
-    // The samples around the largest values so far.
+    // Archive the samples around the largest values so far.
     archive_part(a, r->peak_state, r->probes * r->most * sizeof *r->peak_state);
     archive_part(a, r->peak_from, r->probes * sizeof *r->peak_from);
     archive_part(a, r->peak_length, r->probes * sizeof *r->peak_length);
@@ -1129,7 +1128,7 @@ static whirl_status runup_make_room(runner *r) {
     if (!r->probe || !r->weights || !r->x || !r->stations || !r->peak_where || !r->torque_where)
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for a run");
     runup_find_probes(r, r->sides[0].machine->by_angle);
-    // Divide it.
+    // Divide the block into arrays.
     double *next = r->x + d;
     r->begin = next, next += d;
     r->samples = next, next += (samples + 1) * d;
@@ -1194,21 +1193,22 @@ size_t runup_events_of(const whirl_runup_options *o, const whirl_system *system,
 void runup_open(runner *r, whirl_running *running, const runup_plan *plan, runup_run *run) {
     const whirl_runup_options *o = plan->options;
     // Describe the machine and the run.
-    *r = (runner){.machine = running,
-                  .sides = {{.machine = running}},
-                  .side_count = 1,
-                  .status = whirl_ok(),
-                  .plan = plan,
-                  .rotor = running->by_angle->dimension - 2,
-                  .most = running->by_time->dimension,
-                  .probes = running->by_angle->probe_count,
-                  .contacts = running->contact_count,
-                  .torques = running->in_time ? running->watched_count : 0,
-                  .leg = 0.05 * two_pi,
-                  .unit = running->unit,
-                  .angle0 = running->in_time || plan->motion ? plan->angle
-                                                             : fmod(plan->angle, two_pi), // meshes know whole turns
-                  .run = run};
+    *r =
+        (runner){.machine = running,
+                 .sides = {{.machine = running}},
+                 .side_count = 1,
+                 .status = whirl_ok(),
+                 .plan = plan,
+                 .rotor = running->by_angle->dimension - 2,
+                 .most = running->by_time->dimension,
+                 .probes = running->by_angle->probe_count,
+                 .contacts = running->contact_count,
+                 .torques = running->in_time ? running->watched_count : 0,
+                 .leg = 0.05 * two_pi,
+                 .unit = running->unit,
+                 .angle0 = running->in_time || plan->motion ? plan->angle
+                                                            : fmod(plan->angle, two_pi), // meshes depend on whole turns
+                 .run = run};
     r->how = (whirl_turning){.driven = whirl_runup_driven(o),
                              .rate = o->to > 0.0 && o->to < o->from ? -o->rate : o->rate,
                              .dragless = !o->drag,

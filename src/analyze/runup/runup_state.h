@@ -35,9 +35,9 @@ typedef struct runup_probe {
 
 /// Phases of a run, by what it does next.
 typedef enum runup_phase {
-    PHASE_BEGIN,  ///< it has not begun to settle
-    PHASE_SETTLE, ///< it settles at its first speed
-    PHASE_START,  ///< its time begins
+    PHASE_BEGIN,  ///< the run has not begun to settle
+    PHASE_SETTLE, ///< the run settles at its first speed
+    PHASE_START,  ///< the time of the run begins
     PHASE_TURN,   ///< a turn begins
     PHASE_PART,   ///< a part of a turn is carried
     PHASE_OVER
@@ -46,7 +46,7 @@ typedef enum runup_phase {
 typedef struct runup_state {
     whirl_running *machine;                   ///< machine of sides[side]
     runup_side sides[1 + WHIRL_MAX_EVENTS];   ///< before all changes, after the first, ...
-    size_t side, side_count;                  ///< the present one, and how many there are
+    size_t side, side_count;                  ///< index of the present side, and number of sides
     unsigned char happened[WHIRL_MAX_EVENTS]; ///< [side_count - 1] events of the course that changed the machine
     whirl_placed lost[RUNUP_EVENTS];          ///< [lost_count] unbalances that have appeared
     size_t lost_count;
@@ -93,7 +93,7 @@ typedef struct runup_state {
     bool first;          ///< the turn is the first from standstill
     double passed;       ///< angle covered so far within the turn
     double from, length; ///< the part to be carried: angle of its beginning (0 with time as variable), and length
-    double *end;         ///< [most] where it begins; then, where it ends
+    double *end;         ///< [most] state at the beginning of the part; once carried, at its end
     double *copy_end;    ///< [most] end of the copy over that part, if lanes carry it
     bool copy_carried;   ///< lanes have carried the copy over the part
     unsigned settings;   ///< number of changes of the machine, of its turning and of its unbalances so far

@@ -73,7 +73,7 @@ static whirl_status runup_lanes_make(const runup_group *group, const runup_membe
     made->next = calloc(made->runs + 1, sizeof *made->next);
     if (!made->members || !made->observed || !made->from || !made->next)
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for runs");
-    // A run may lose its copy and others of the same plan have theirs: room does not depend on it.
+    // Lanes for copies do not depend on which runs still have theirs: a run may lose its copy while others keep theirs.
     made->count = runup_wants_copy(member->r.plan->options, member->r.contacts) ? 2 * made->runs : made->runs;
     return whirl_ensemble_flow(made->first, &options, made->count, 0, &made->ensemble);
 }
@@ -104,7 +104,7 @@ static void runup_leave_lanes(runup_member *member) {
     member->loaded = member->copy_loaded = 0;
 }
 
-/// Finds a lane for a run whose machine lanes take.
+/// Finds a lane for a run whose machine can be carried in lanes.
 static whirl_status runup_find_lane(runup_group *group, runup_member *member) {
     if (member->in && whirl_ensemble_alike(member->in->first, member->in_lanes)) return whirl_ok();
     runup_leave_lanes(member);
@@ -193,7 +193,7 @@ static void runup_unload(runup_member *member) {
 
 // ---------------------------------------------------------------- runs
 
-/// Returns true if lanes take the next part of a run.
+/// Returns true if lanes can carry the next part of a run.
 static bool runup_fits_lanes(runup_member *member) {
     const runner *r = &member->r;
     if (r->by_time || strcmp(r->plan->integrate.method, "dop853") != 0) return false;
@@ -214,7 +214,7 @@ static void runup_end_member(runup_member *member) {
     if (member->r.status.code == WHIRL_OK) runup_finish(&member->r);
 }
 
-/// Goes on with a run until lanes are to carry it, or it is over.
+/// Advances a run until its next part is to be carried in lanes, or it is over.
 static void runup_prepare(runup_member *member) {
     runner *r = &member->r;
     member->waits = false;

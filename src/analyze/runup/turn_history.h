@@ -26,7 +26,8 @@ typedef struct turn_samples {
 turn_samples turn_samples_new(size_t samples, size_t probes, size_t contacts);
 
 /// Fills in the instants at equal angles from one computed instant to before the next one: angles and displacements are
-/// cubic in time between both (Hermite), forces and gaps linear. Those at a computed instant have its numbers.
+/// cubic in time between both (Hermite), forces and gaps linear. An instant that is itself a computed one gets its
+/// numbers unchanged.
 void turn_samples_fill(turn_samples *to, const turn_instant *low, const turn_instant *high);
 
 /// The last turns.
@@ -34,7 +35,7 @@ typedef struct turn_history {
     size_t capacity, held; ///< number of turns that must be kept; number in memory, up to twice as many
     size_t turn;           ///< numbers of a turn, samples times width
     double *numbers;       ///< [2 capacity][turn]
-    double end;            ///< s, of the last turn
+    double end;            ///< s, end of the last turn
 } turn_history;
 
 /// Makes the history of the last `capacity` turns; numbers are NULL without memory. Freed by free(numbers).

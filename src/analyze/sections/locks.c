@@ -1,8 +1,9 @@
 // Locks that a motion on closed curves excludes. Near a lock on P-q the slow phase psi = 2 pi (q theta - p n) of a
 // motion that goes round its curve by theta turns obeys psi' = delta + s sin psi (Adler 1946; further harmonics are
-// smaller by powers of q for a smooth curve): locked for |delta| <= s, else drifting. A locked motion never completes a
-// turn of psi, and does not move evenly: while psi moves by x radians about its fastest point, for delta = s, its speed
-// s (1 + cos psi) changes by x^2/16. A drift that does more of the first or less of the second is not locked.
+// smaller by powers of q for a smooth curve). It is locked for |delta| <= s, else it drifts. A locked motion never
+// completes a turn of psi. It also moves unevenly: while psi moves by x radians about its fastest point, for delta = s,
+// its speed s (1 + cos psi) changes by x^2/16. So a motion that completes turns, or that moves more evenly than this,
+// is not locked.
 #include <math.h>
 #include <stdbool.h>
 

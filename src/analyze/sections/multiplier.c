@@ -49,7 +49,7 @@ multiplier multiplier_find(const section *all, int period, double size, double r
     if (s.count < MIN_RETURNS) return none;
     const double mu = s.p[0][1] / s.p[0][0];
     if (s.p[1][1] - mu * s.p[0][1] <= well_fit * s.p[1][1]) return (multiplier){mu, 0.0};
-    // Normal equations of d2 = a d1 - b d0.
+    // Solve the normal equations of d2 = a d1 - b d0.
     const double determinant = s.p[1][1] * s.p[0][0] - s.p[0][1] * s.p[0][1];
     const double a = (s.p[1][2] * s.p[0][0] - s.p[0][2] * s.p[0][1]) / determinant;
     const double b = (s.p[1][2] * s.p[0][1] - s.p[0][2] * s.p[1][1]) / determinant;

@@ -13,8 +13,7 @@ static double return_distance(const section *all, size_t first, size_t count, si
     return largest;
 }
 
-/// Returns the separation of the points of a supposed P-k from a shorter period: for k = p j the shortest return over
-/// j.
+/// Returns the least return distance after a proper divisor of k. It is small if the supposed P-k has a shorter period.
 static double divisor_distance(const section *all, size_t first, size_t count, size_t k) {
     double least = INFINITY;
     for (size_t j = 1; 2 * j <= k; j++) {
@@ -34,7 +33,7 @@ static double settling_trend(const section *all, size_t k, double size) {
 
 enum { MIN_RETURNS = 4 };
 
-/// Finds the period up to 64 that returns within the tolerance, or best.
+/// Finds the period up to 64 that returns within the tolerance, or else the one that returns best.
 static void try_short_periods(const section *all, double size, double tolerance, recurrence *found) {
     for (size_t k = 1; k <= SHORT_PERIOD && k + MIN_RETURNS <= found->window; k++) {
         const double distance = return_distance(all, all->count - found->window, found->window, k) / size;

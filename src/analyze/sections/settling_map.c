@@ -64,7 +64,7 @@ static double fit_map(const section *all, size_t count, const double *axes, cons
     double square[MAX_DIRECTIONS * MAX_DIRECTIONS] = {0}, product[MAX_DIRECTIONS * MAX_DIRECTIONS] = {0};
     double now[MAX_DIRECTIONS], next[MAX_DIRECTIONS], left = 0.0, whole = 0.0;
     const size_t pairs = all->count - 2;
-    // Sums of the normal equations, over all pairs of successive points.
+    // Sum the normal equations over all pairs of successive points.
     for (size_t n = 0; n < pairs; n++) {
         settling_map_project(all, n, count, axes, sizes, now);
         settling_map_project(all, n + 1, count, axes, sizes, next);
@@ -77,7 +77,7 @@ static double fit_map(const section *all, size_t count, const double *axes, cons
     // Solve them.
     if (!matrix_solve(count, square, count, product)) return INFINITY;
     memcpy(map, product, count * count * sizeof *map);
-    // The share of steps that the map does not explain.
+    // Compute the share of steps that the map does not explain.
     for (size_t n = 0; n < pairs; n++) {
         settling_map_project(all, n, count, axes, sizes, now);
         settling_map_project(all, n + 1, count, axes, sizes, next);

@@ -226,7 +226,7 @@ static bool are_beyond(const whirl_balance *of, const whirl_correction *out, con
 /// Finds the weights of the unknowns at index by an interior-point method.
 static whirl_status find_within(const whirl_balance *of, const whirl_correction *out, const size_t *index, size_t count,
                                 double complex *amounts) {
-    // Parts of one allocation.
+    // Allocate one block, and divide it.
     double limits[WHIRL_MAX_PLANES];
     const size_t lines = out->row_count + of->plane_count;
     double complex *block = calloc(lines * count + out->row_count + 1, sizeof *block);
@@ -243,7 +243,7 @@ static whirl_status find_within(const whirl_balance *of, const whirl_correction 
             block[goal.rows * count + n] = root * effect_of(of, out, &out->rows[r], index[n]);
         goal.rows++;
     }
-    // Planes with a limit.
+    // Write the planes that have a limit.
     for (size_t p = 0; p < of->plane_count; p++) {
         if (!isfinite(of->planes[p].limit)) continue;
         for (size_t n = 0; n < count; n++) share[goal.planes * count + n] = share_of(of, out, index[n], p);
@@ -272,8 +272,8 @@ static whirl_status best_weights(const whirl_balance *of, const whirl_correction
     return whirl_ok();
 }
 
-/// Returns what is left with these weights: the root of the weighted mean square, or the largest vibration if that is
-/// minimized.
+/// Returns the vibration that remains with these weights: the root of the weighted mean square, or the largest
+/// vibration if that is minimized.
 static double left_with(const whirl_balance *of, const whirl_correction *out, const double complex *amounts,
                         const size_t *index, size_t count) {
     double sum = 0.0, weights = 0.0, largest = 0.0;
@@ -328,7 +328,7 @@ static whirl_status balance_correct(const whirl_balance *of, whirl_correction *o
             "weights above 0, which each %s moves in a way of its own",
             out->row_count, out->row_count == 1 ? "" : "s", count, of->mode_count ? "set" : "plane",
             count == 1 ? "" : "s", of->mode_count ? "set" : "plane", of->mode_count ? "set" : "plane");
-    // Distribute them over planes, predict the readings, and try without each plane.
+    // Distribute them over planes, predict the readings, and try the correction without each plane.
     for (size_t n = 0; n < count && of->mode_count > 0; n++) {
         out->used[index[n]] = true;
         balance_set(out->amount[index[n]], amounts[n]);

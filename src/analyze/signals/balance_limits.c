@@ -154,7 +154,7 @@ bool balance_best_within(const balance_goal *goal, double complex *amounts) {
     double complex *block = calloc(lines * n + goal->rows + 1, sizeof *block);
     double *numbers = calloc(3 * b.size + b.size * b.size + n + 1, sizeof *numbers), *scale = numbers;
     const bool allocated = block && numbers;
-    // Parts of one allocation.
+    // Divide one allocation.
     if (allocated) {
         b.effect = block;
         b.share = block + goal->rows * n;

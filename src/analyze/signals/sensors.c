@@ -96,7 +96,7 @@ static void measure(const whirl_channel *channel, const whirl_sampling *sampling
                     double *out) {
     const double *y = x + grid->count, c = cos(channel->angle), s = sin(channel->angle);
     const size_t n = grid->count;
-    // Displacements along the sensor. Runout is seen by those that look at the surface.
+    // Compute displacements along the sensor. Proximity probes read the surface, and so its runout.
     memcpy(x, grid->motion + channel->station * 2 * n, 2 * n * sizeof *x);
     const whirl_probe *probe = &grid->probes[channel->station];
     for (size_t i = 0; channel->sensor == WHIRL_SENSOR_PROXIMITY && probe->runout_count > 0 && i < 2 * n; i++)
@@ -116,7 +116,7 @@ static void measure(const whirl_channel *channel, const whirl_sampling *sampling
 
 // ---------------------------------------------------------------- the antialias filter
 
-enum { PLACES = 1024 }; // of the filter's table, a sample
+enum { PLACES = 1024 }; // places of the filter's table in one sampling interval
 static const size_t table_end = (size_t)WHIRL_SENSOR_REACH * PLACES;
 
 /// Returns I0, the modified Bessel function, by its series.
@@ -149,7 +149,7 @@ static const double *impulse_response(void) {
 /// Weights of instants around the place of a sample.
 typedef struct sample_weights {
     size_t first, count; ///< the first instant, and how many
-    double phase;        ///< place of the sample behind the first instant, by which the weights are known
+    double phase;        ///< distance of the sample from the first instant, for which the weights were computed
     double *w;           ///< [count]
 } sample_weights;
 
@@ -251,8 +251,7 @@ static void sample_all(const whirl_channel *channels, size_t count, const whirl_
     }
 }
 
-/// Returns the angle of the shaft at a place among the instants, in revolutions: straight between angles, which half a
-/// sample is a whole number of instants apart from a sample.
+/// Returns the angle of the shaft at a place among the instants, in revolutions, by linear interpolation.
 static double sensor_angle_at(const sensor_grid *grid, double place) {
     const size_t low = (size_t)place < grid->count - 1 ? (size_t)place : grid->count - 2;
     const double share = place - (double)low;
@@ -280,12 +279,12 @@ static whirl_status sample_channels(const sensor_grid *grid, const sample_places
     const size_t n = grid->count, samples = sampling->samples;
     const whirl_status status = check_places(grid, sampling, at);
     if (status.code != WHIRL_OK) return status;
-    // Workspace: signals at instants, a station's motion, weights of the filter, samples.
+    // Divide the workspace into signals at instants, a station's motion, weights of the filter, and samples.
     const size_t taps = (size_t)(2.0 * WHIRL_SENSOR_REACH * at->ratio) + 4;
     double *signals = malloc(((count + 2) * n + taps + count * samples) * sizeof *signals);
     if (!signals) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu samples of %zu channels", samples, count);
     double *motion = signals + count * n, *weights = motion + 2 * n, *values = weights + taps;
-    // Sensors, samples, pulses, converters.
+    // Compute the signals of sensors, sample them, fill in the pulses of keyphasors, and convert all to numbers.
     for (size_t c = 0; c < count; c++)
         if (channels[c].sensor != WHIRL_SENSOR_KEYPHASOR)
             measure(&channels[c], sampling, grid, motion, signals + c * n);

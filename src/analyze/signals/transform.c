@@ -1,7 +1,7 @@
 // The transform between bins, by Gaussian gridding (Greengard and Lee 2004, SIAM Review 46, 443).
-// The transform between bins is interpolated in a longer FFT. The samples, n from their middle, are multiplied by
-// exp(+t n^2) and padded with zeros to twice their number or more. In the transform of these the factor is undone by a
-// convolution with the transform of exp(-t n^2), a Gaussian, of which the nearest places suffice. The longer
+// The transform between bins is interpolated in a longer FFT. The samples, numbered n from their middle, are multiplied
+// by exp(+t n^2) and padded with zeros to twice their number or more. In the transform of these the factor is undone by
+// a convolution with the transform of exp(-t n^2), a Gaussian, of which the nearest places suffice. The longer
 // transform's length is a power of two, so that a number of samples with large prime factors costs no more than its
 // neighbours.
 #include "transform.h"

@@ -3,8 +3,8 @@
 // filter", 12th International Congress on Sound and Vibration, Lisbon).
 //
 // With half amplitudes x_k it minimizes |y - sum_k x_k e^{i phase_k}|^2 + sum_k r_k^2 |D^p x_k|^2, D the difference of
-// neighbouring samples. Normal equations have a condition of r^4, which leaves no digit of a narrow band. Givens
-// rotations of the banded rows have r^2.
+// neighbouring samples. The condition number of the normal equations is about r^4, which leaves no correct digit for a
+// narrow band. Givens rotations of the banded rows have r^2.
 #include <complex.h>
 #include <math.h>
 #include <stdlib.h>
@@ -71,7 +71,7 @@ static void vold_kalman_insert(const triangle *of, size_t first, size_t width, d
     }
 }
 
-/// Inserts all rows: what is smooth, then what was measured, sample by sample.
+/// Inserts all rows, sample by sample: first the differences that keep amplitudes smooth, then the measured sample.
 static void vold_kalman_rotate(const triangle *of, const double *values, size_t count, const double *phases,
                                size_t tracked, const double *weights, size_t poles) {
     static const double differences[2][3] = {{-1.0, 1.0, 0.0}, {1.0, -2.0, 1.0}};
@@ -92,7 +92,7 @@ static void vold_kalman_rotate(const triangle *of, const double *values, size_t 
     }
 }
 
-/// Solves for the amplitudes [tracked][count][2], backwards; twice the unknowns.
+/// Solves for the unknowns, backwards; amplitudes [tracked][count][2] are twice the unknowns.
 static void vold_kalman_solve(const triangle *of, size_t count, size_t tracked, double *amplitudes) {
     const size_t unknowns = count * tracked;
     for (size_t i = unknowns; i-- > 0;) {
@@ -141,8 +141,8 @@ static whirl_status vold_kalman_check(const double *values, size_t count, const 
     return whirl_ok();
 }
 
-/// Checks that a phase turns faster than its band is wide somewhere. A slower part is one with its mirror image at the
-/// negative frequency, and its amplitude up to twice too large.
+/// Checks that the phase somewhere turns faster than its band is wide. In a slower part the filter cannot separate the
+/// line from its mirror image at the negative frequency, and the amplitude is up to twice too large.
 static whirl_status vold_kalman_check_speed(const double *phase, size_t count, size_t k, double rate,
                                             double bandwidth) {
     double fastest = 0.0;

@@ -35,7 +35,8 @@ static bool is_clear(whirl_estimate exponent) {
     return fabs(exponent.value) > clear_sigmas * exponent.error;
 }
 
-/// Returns the remaining transient of a motion that returns, over its size, by the exponent.
+/// Returns the remaining distance of a returning motion from its limit, over the motion's size, as the exponent
+/// predicts it.
 static double left_to_go(const whirl_verdict *v, const evidence *e) {
     if (v->recurrence <= e->rounding) return 0.0;
     const double slowest = v->exponent.value + clear_sigmas * v->exponent.error;
@@ -88,8 +89,9 @@ static double settling_exponent(const evidence *e) {
     return is_clear(sharp) && sharp.value < 0.0 ? sharp.value : NAN;
 }
 
-/// Weighs a verdict of rest. An equilibrium attracts all motion within a hundredth of what a revolution shortens; a
-/// decaying perturbed copy excludes a small cycle there. (Rounding and errors of steps limit the visible decay.)
+/// Weighs a verdict of rest. The equilibrium attracts the motion if a revolution shortens distances by a share of at
+/// least 100 times the motion's relative distance from it. A perturbed copy that decays excludes a small cycle there.
+/// (Rounding and errors of steps limit the visible decay.)
 static whirl_confidence weigh_rest(const whirl_verdict *v, const evidence *e) {
     const double slowest = fmax(0.5 * v->exponent.value, -0.1), sharp = settling_exponent(e);
     const bool draws_in = -expm1(v->exponent.value) >= 100.0 * v->rest_distance;
@@ -211,7 +213,7 @@ static whirl_confidence confidence_lesser(whirl_confidence a, whirl_confidence b
     return a < b ? a : b;
 }
 
-/// Limits the confidence of a single tolerance.
+/// Limits the confidence of a verdict that no second tolerance has confirmed.
 static whirl_confidence confidence_unconfirmed(whirl_confidence agreement) {
     return confidence_lesser(agreement, WHIRL_FAIR);
 }
@@ -227,7 +229,7 @@ double verdict_least_life(const whirl_verdict *v) {
     return (v->revolutions + v->followed + v->survived) / chances;
 }
 
-/// Returns true if two exponents differ by more than their errors and a fifth.
+/// Returns true if two exponents differ by more than their errors, and by more than a fifth of the larger one.
 static bool exponents_differ(whirl_estimate a, whirl_estimate b) {
     const double difference = fabs(a.value - b.value);
     return difference > clear_sigmas * hypot(a.error, b.error) &&

@@ -14,14 +14,14 @@ typedef struct evidence {
     section points;
     double size;         ///< size of the motion
     double rounding;     ///< distances over the size that are insignificant
-    size_t growth_count; ///< after the first tenth, in which the perturbation aligns
+    size_t growth_count; ///< number of growths after the first tenth, in which the perturbation aligns
     const double *growth;
     recurrence returns;
     regularity averages;
     whirl_estimate exponent;
     whirl_estimate second; ///< sharp, for regular motions; NaN unless all perturbations were followed
-    bool forced;           ///< a phase drives the motion which does not repeat after revolutions: a stable motion does
-                           ///< not return then
+    bool forced;           ///< the phase that drives the motion does not repeat after whole revolutions: even a stable
+                           ///< motion does not return then
     bool exponents_failed; ///< the growth is invalid
 } evidence;
 

@@ -219,7 +219,7 @@ line_fit line_fit_record(const whirl_record *record, size_t station, const whirl
     if (!plan_make(spectrum, bases, &plan)) return fit;
     fit_sums *sums = malloc(sizeof *sums);
     if (!sums) return fit;
-    // Frequencies, and how they and their amplitudes change.
+    // Fit the frequencies, and how they and their amplitudes change.
     plan.moves = true;
     plan.unknowns = 1 + 2 * plan.line_count + 2 * (size_t)PARTS * plan.base_count;
     double most = INFINITY;

@@ -54,8 +54,9 @@ static whirl_estimate returning_exponent(const evidence *e) {
     return estimate_regular_mean(e->growth + before, e->returns.window, period);
 }
 
-/// Returns true if perturbations decay alike in both halves, and by more in all than in a drift that slows down: where
-/// the distance to a nearby lock shrinks as x' = -a x^2, their rate r = 2 a x falls by 1/(1 + r t/2).
+/// Returns true if perturbations decay at nearly the same rate in both halves, and enough over the whole record. A
+/// drift that slows down near a lock fails: its distance to the lock shrinks as x' = -a x^2, and the rate of
+/// perturbations, r = 2 a x, falls by the factor 1/(1 + r t/2).
 static bool dies_out_evenly(const evidence *e, size_t period) {
     const double share = 0.2, folds = 2.0;
     const size_t half = e->growth_count / 2;
@@ -119,7 +120,8 @@ static bool is_neutral(whirl_estimate exponent) {
 }
 
 /// Returns true if the motion is quasi-periodic, without regard to curves: regular but never returning, with
-/// perturbations that neither grow nor decay; if a phase forces it that fits no revolution they may decay.
+/// perturbations that neither grow nor decay. They may decay if a phase drives the motion that does not repeat after
+/// whole revolutions.
 static bool may_be_quasi_periodic(const evidence *e) {
     if (e->growth_count == 0) return false;
     const whirl_estimate exponent = estimate_regular_mean(e->growth, e->growth_count, 1);
@@ -232,15 +234,16 @@ static bool is_smooth(const whirl_verdict *v) {
            fabs(log(v->recurrence_trend)) <= trend;
 }
 
-/// Judges a regular motion. If a phase forces it that fits no revolution, and perturbations decay, it is a torus of at
-/// least that phase and the shaft's. Else closed curves are searched; without them it is undetermined, except for a
-/// torus of three frequencies: its section is a surface, and two exponents are zero, or averages agree as on nothing
-/// else. A motion round a single curve that is not smooth may be such a torus, unless a second exponent is clearly
-/// negative: then its frequencies are not counted. Several curves visited in turn are.
+/// Judges a regular motion. If a phase that does not repeat after whole revolutions drives it, and perturbations decay,
+/// it has two frequencies, that phase's and the shaft's. Closed curves with a rotation number are two frequencies, too.
+/// Without a rotation number the second exponent decides. If it is clearly negative, the regime stays that of the
+/// curves. If it is zero, the section is a surface, and there are three frequencies. If it is neither, the number of
+/// frequencies stays open for a single curve, and for averages that agree as only those of smooth tori do; otherwise
+/// the regime stays that of the curves.
 static whirl_verdict regular_verdict(const evidence *e) {
     whirl_verdict verdict = open_verdict(e);
     verdict.exponent = estimate_regular_mean(e->growth, e->growth_count, 1);
-    // A phase that fits no revolution forces the motion.
+    // A phase that does not repeat after whole revolutions drives the motion.
     if (e->forced && is_negative(verdict.exponent)) {
         verdict.regime = WHIRL_QUASI_PERIODIC;
         verdict.frequencies = 2;
@@ -256,7 +259,7 @@ static whirl_verdict regular_verdict(const evidence *e) {
         verdict.unlocked = locks_excluded(&e->points, &found, verdict.rotation);
         verdict.frequencies = 2;
     }
-    // No curve: three frequencies, or an uncounted number of them.
+    // No rotation number: three frequencies, or an uncounted number of them.
     if (!isnan(verdict.rotation) || is_negative(e->second)) return verdict;
     if (is_neutral(e->second)) {
         verdict.regime = WHIRL_QUASI_PERIODIC;
@@ -283,8 +286,8 @@ static void verdict_distrust(whirl_verdict *verdict) {
     verdict->advice = (whirl_advice){WHIRL_TIGHTER, 256.0};
 }
 
-/// Takes the result of an orbit search; returns of a motion that was put on the orbit are no better than the orbit
-/// closes.
+/// Takes the result of an orbit search. The returns of a motion that was put on the orbit are only as good as the
+/// closing error of the orbit.
 static void take_orbit(whirl_verdict *verdict, const whirl_record_orbit *orbit) {
     const bool found = orbit->multiplier_count > 0;
     verdict->orbit = orbit->search;

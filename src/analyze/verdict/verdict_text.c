@@ -335,7 +335,7 @@ static void verdict_text_contradiction(const whirl_verdict *v, char *text, size_
     if (v->other_regime != v->regime || v->other_period != v->period)
         snprintf(text, size, "; at the second tolerance it is %s", other);
     else if (v->confidence < v->agreement)
-        snprintf(text, size, "; at the second tolerance the evidence is weaker or another");
+        snprintf(text, size, "; at the second tolerance the evidence is weaker or different");
 }
 
 /// Writes the results of copies of a chaotic motion that continued it.

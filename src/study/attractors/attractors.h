@@ -38,14 +38,15 @@ enum { MAX_ATTRACTORS = 64 };
 
 /// Attractors of a set of points, in order of first appearance, with one motion of each.
 typedef struct attractor_groups {
-    size_t done; ///< finished points, without starts from neighbours, which no share counts
+    size_t done; ///< finished points, without starts from neighbours, which shares leave out
     size_t count;
     whirl_attractor found[MAX_ATTRACTORS];
     motion *motions[MAX_ATTRACTORS];
 } attractor_groups;
 
-/// Assigns `count` points (NULL: the first ones) to attractors. Writes the index of its attractor to of[point],
-/// MAX_ATTRACTORS if it has none. WHIRL_NO_MEMORY. Freed by attractors_free, after a failure too.
+/// Assigns `points` [count] (NULL: the first `count` points of the table) to attractors. Writes the index of each
+/// point's attractor to `of`, MAX_ATTRACTORS if it has none. WHIRL_NO_MEMORY. Freed by attractors_free, after a failure
+/// too.
 whirl_status attractors_group(const whirl_table *table, const size_t *points, size_t count, size_t *of,
                               attractor_groups *groups);
 void attractors_free(attractor_groups *groups);

@@ -5,8 +5,8 @@
 
 #include "bounds.h"
 
-/// Sections of one orbit differ by less than this share of its largest displacement. Bounds and means of one aperiodic
-/// motion differ between records by less than the second share of its extent.
+/// Sections of one orbit differ by less than `one_orbit` of its largest displacement. Bounds and means of one aperiodic
+/// motion differ between records by less than `one_cloud` of its extent.
 static const double one_orbit = 1e-3, one_cloud = 0.2;
 
 // ---------------------------------------------------------------- reading

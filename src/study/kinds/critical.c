@@ -63,7 +63,8 @@ static whirl_status critical_match(const resting_machine *from, const resting_ma
 whirl_status resting_follow(const resting_machine *from, resting_machine *to) {
     const size_t count = from->modes->count;
     const double scale = from->machine.clock / to->machine.clock;
-    if (from->modes->period > 0.0 || to->modes->period > 0.0) return whirl_ok(); // Floquet frequencies fold
+    if (from->modes->period > 0.0 || to->modes->period > 0.0)
+        return whirl_ok(); // Floquet frequencies are known up to multiples of the speed
     size_t *partner = NULL;
     double *unlike = malloc((count + 1) * sizeof *unlike);
     to->before = calloc(to->modes->count + 1, sizeof *to->before);

@@ -23,7 +23,8 @@ typedef struct derived {
     size_t count;                               ///< number of numbers
     whirl_spread_at numbers[WHIRL_MAX_DERIVED]; ///< their places in blocks
     double *parameters, *found, *slopes;        ///< the fields in the block
-    const double *reaches; ///< [parameters] largest distances from the values, those of parameters that are 0; or NULL
+    const double
+        *reaches; ///< [parameters] least first distances from the values, above 0 for parameters that are 0; or NULL
 } derived;
 
 /// Begins the derivatives of a point, all missing; false if the layout has no fields for them.
@@ -44,7 +45,7 @@ static bool derived_begin(derived *d, const whirl_study *study, const whirl_batc
     d->count = derived_list(d->by, system, layout, d->numbers);
     for (size_t i = 0; i < d->count; i++) d->found[i] = NAN;
     for (size_t i = 0; i < 2 * d->count * d->by->parameter_count; i++) d->slopes[i] = NAN;
-    // A parameter has the value of the case, of the condition, or the varied one.
+    // A parameter has the value of the case, of the condition, or the one that the batch varies.
     for (size_t p = 0; p < d->by->parameter_count; p++) {
         const char *name = d->by->parameters[p].name;
         d->parameters[p] = d->by->parameters[p].value;
@@ -65,7 +66,7 @@ static void derived_note(derived *d, size_t number, size_t parameter, double slo
     row[1] = fabs(slope) <= noise && error > 0.0 ? fmax(error, noise) : error;
 }
 
-/// In place of the index of a parameter: the batch's own parameter.
+/// Index that stands for the batch's own parameter.
 enum { ALONG = WHIRL_MAX_SENSITIVITIES };
 
 /// Returns the name of a parameter.
@@ -118,9 +119,10 @@ static whirl_status derived_levels(double reach, size_t count, derived_fn *compu
     return whirl_ok();
 }
 
-/// Derives numbers [count] at h = 0: slopes and their errors, NaN if they cannot be found. Distances begin at `reach`;
-/// nearer if machines there are impossible or have no place of rest, and once more nearer if some slope is known to
-/// less than 1e-8: a number that is not smooth a little further away, as near a double mode, is smooth here.
+/// Derives numbers [count] at h = 0: slopes and their errors, NaN if they cannot be found. Distances begin at `reach`.
+/// They begin nearer if machines there are impossible or have no place of rest. If the error of some slope is above
+/// 1e-8 of it, they begin once more nearer: a number that is not smooth a little further away, as near a double mode,
+/// is smooth there.
 static whirl_status derived_extrapolate(double reach, size_t count, derived_fn *compute, const void *of, double *slopes,
                                         double *errors) {
     enum { NEARER = 7 };
@@ -143,7 +145,7 @@ static whirl_status derived_extrapolate(double reach, size_t count, derived_fn *
     return whirl_ok();
 }
 
-/// A value v at which g(v, p) = 0, and g as numbers of a parameter.
+/// A value v at which g(v, p) = 0, and the function that computes g at other values of v or of a parameter p.
 typedef struct derived_implicit {
     derived_fn *compute; ///< computes g [1]
     void *of;
@@ -270,7 +272,7 @@ static whirl_status derived_zero_number(const void *of, double h, double *number
 /// Derives the value of a critical speed or threshold, a row of the field modes/critical, by all parameters, and notes
 /// it.
 static whirl_status derived_critical(derived *d, size_t number, const double *row) {
-    // The machine there, and the mode whose function is 0.
+    // Make the machine there, and find the mode whose function is 0.
     resting_machine own;
     whirl_status status = resting_new(d->study, d->batch, row[1], &own);
     if (status.code != WHIRL_OK) return derived_is_missing(&status) ? whirl_ok() : status;
@@ -356,7 +358,7 @@ static void path_make(const derived_motion *m, const whirl_probe *probe, derived
         }
 }
 
-/// The mean over the orbit of one coordinate and its derivatives, out [width].
+/// Computes the mean over the orbit of one coordinate and its derivatives, out [width].
 static void path_mean(const derived_path *path, const double *of, double *out) {
     for (size_t i = 0; i < path->width; i++) {
         out[i] = 0.0;
@@ -376,10 +378,10 @@ static double five_points(const double f[5], double t, double *first, double *se
     return f[2] + t * (d1 + t * (d2 / 2.0 + t * (d3 / 6.0 + t * d4 / 24.0)));
 }
 
-/// The largest (sign 1) or smallest (-1) radius of the path between instants, and its derivatives at that place, which
-/// are those of the radius there: out [width].
+/// Computes the largest (sign 1) or smallest (-1) radius of the path between instants, and its derivatives: those of
+/// the radius at that place, out [width].
 static void path_extreme(const derived_path *path, double sign, double *out) {
-    // The instant nearest to the extreme.
+    // Find the instant nearest to the extreme.
     const size_t all = path->all, width = path->width;
     size_t at = 0;
     double best = -INFINITY, f[5], first, second, t = 0.0;
@@ -388,7 +390,7 @@ static void path_extreme(const derived_path *path, double sign, double *out) {
         if (radius > best) at = k;
         best = fmax(best, radius);
     }
-    // The extreme of the square of the radius near it, by Newton's method.
+    // Find the extreme of the square of the radius near it, by Newton's method.
     size_t near[5];
     for (size_t i = 0; i < 5; i++) near[i] = (at + all + i - 2) % all;
     for (size_t i = 0; i < 5; i++) {
@@ -410,8 +412,8 @@ static void path_extreme(const derived_path *path, double sign, double *out) {
     }
 }
 
-/// The synchronous part of the path along x, along y, forward or backward: its amplitude or, `lags`, its lag in
-/// degrees, with derivatives, out [width].
+/// Computes the synchronous part of the path along x, along y, forward or backward: its amplitude or, if `lags`, its
+/// lag in degrees, with derivatives, out [width].
 static void path_synchronous(const derived_path *path, size_t instants, size_t part, bool lags, double *out) {
     double real = 0.0, imaginary = 0.0;
     for (size_t p = 0; p < path->width; p++) {
@@ -625,9 +627,9 @@ static whirl_status derived_by_crossing(derived *d, const whirl_branch_point *po
     return status;
 }
 
-/// Derives the value of a fold of forced orbits by all parameters, and notes it. Near a fold the derivatives of the
-/// orbit by a parameter and by the branch's own one grow along the same direction, the null vector; the value keeps the
-/// fold if their sum along it stays finite, dv/dp = -s_p/s_v.
+/// Derives the value of a fold of forced orbits by all parameters, and notes it. Near a fold the derivatives s_p and
+/// s_v of the orbit by a parameter and by the branch's own one grow along the same direction, the null vector. The
+/// value stays at the fold if s_p + s_v dv/dp stays finite along that direction: dv/dp = -s_p/s_v.
 static whirl_status derived_fold(derived *d, const whirl_branch_point *point, const whirl_orbit_options *options) {
     const size_t parameters = d->by->parameter_count, n = point->orbit->dimension;
     whirl_orbit_sensitivity *slopes = NULL;

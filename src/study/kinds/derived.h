@@ -30,12 +30,12 @@ whirl_status derived_threshold(const whirl_study *study, const whirl_batch *batc
                                size_t count, const varied_parameter *parameters, double *slopes);
 
 /// Derives the eigenvalue of a mode of a machine at rest, real and imaginary part in rad/s: slopes [count][2]. Errors
-/// likewise.
+/// as those of derived_threshold.
 whirl_status derived_mode(const whirl_study *study, const whirl_batch *batch, const resting_machine *own, size_t mode,
                           size_t count, const varied_parameter *parameters, double *slopes);
 
-/// Derives the value of a fold, doubling or Neimark-Sacker point of forced orbits, whose machine is the batch's where
-/// its own parameter has that value: slopes [count]. Errors likewise.
+/// Derives the value of a fold, doubling or Neimark-Sacker point of forced orbits: slopes [count]. The machine of the
+/// point is that of the batch with its own parameter at this value. Errors as those of derived_threshold.
 whirl_status derived_special_point(const whirl_study *study, const whirl_batch *batch, const whirl_branch_point *point,
                                    const whirl_orbit_options *options, size_t count, const varied_parameter *parameters,
                                    double *slopes);

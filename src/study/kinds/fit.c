@@ -38,7 +38,7 @@ static bool fit_goes_on(void *of) {
     return tracker_advance(&w->run->tracker, 0.0, 0);
 }
 
-/// Returns what is known of a parameter whose value, error and interval are known.
+/// Returns how well a parameter is determined, from its value, its error and half of its interval.
 static whirl_fit_known fit_known(const whirl_fit_unknown *own, double value, double error, double half) {
     if (!isfinite(error)) return WHIRL_FIT_UNKNOWN;
     if (value <= own->low || value >= own->high) return WHIRL_FIT_AT_BOUND;

@@ -62,7 +62,7 @@ void fit_motions_keep(void *motions) {
 // ---------------------------------------------------------------- one motion
 
 /// Refuses measured waveforms of a machine whose speed depends on an unknown: the angle of the shaft at a time would
-/// too.
+/// depend on it, too.
 static whirl_status place_check_speed(const fit_place *p, const whirl_machine *machine, const fit_orbit *kept) {
     const whirl_fit *fit = p->of->fit;
     const size_t motion = (size_t)(p->motion - fit->motions);
@@ -113,7 +113,7 @@ static double view_along(const probe_view *v, const double *state) {
     return v->cos * whirl_probe_value(v->probe, state, 0) + v->sin * whirl_probe_value(v->probe, state, 1);
 }
 
-/// Returns a sum of the displacement and its derivative by the angle of the shaft.
+/// Returns a weighted sum of the displacement and its derivative by the angle of the shaft.
 static double view_weighed(const probe_view *v, const double *state, const double weights[2]) {
     return weights[0] * view_along(v, state) + weights[1] * (v->cos * whirl_probe_value(v->probe, state, 2) +
                                                              v->sin * whirl_probe_value(v->probe, state, 3));
@@ -240,7 +240,7 @@ static whirl_status place_compute(const fit_motions *m, size_t index, const doub
     whirl_orbit_sensitivity *derived = NULL;
     double lengths[1 + WHIRL_MAX_UNKNOWNS] = {1.0};
     fit_place_make(&p, m, index, values);
-    // A motion that is none has a single number.
+    // A threshold or a mode, in place of a motion, has a single number.
     const size_t first = place_first(m, index);
     const whirl_fit_number *number = &m->fit->numbers[first];
     double *own = slopes + first * m->fit->unknown_count;

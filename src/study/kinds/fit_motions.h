@@ -29,9 +29,9 @@ typedef struct fit_motions {
     fit_orbit *kept, *tried;   ///< [motions]
     double *model;             ///< [numbers] m, of the last evaluation
     bool (*goes_on)(void *of); ///< called by the first thread after every evaluation: false to end
-    void *of;                  ///< passed to it
+    void *of;                  ///< argument of goes_on
     size_t lost;         ///< index of the motion without an orbit in the last evaluation, or the number of motions
-    whirl_status status; ///< reason why it has none; WHIRL_NO_MEMORY and WHIRL_STOPPED end the fit
+    whirl_status status; ///< why that motion has no orbit; WHIRL_NO_MEMORY and WHIRL_STOPPED end the fit
 } fit_motions;
 
 /// Allocates the motions. WHIRL_NO_MEMORY. Freed by fit_motions_free, after a failure, too.

@@ -6,7 +6,7 @@
 
 /// A fit with one unknown held.
 typedef struct profile {
-    fit_motions motions; ///< motions of the profile; those at the solution stay
+    fit_motions motions; ///< own motions, so that those of the fit stay at the solution
     least_squares problem;
     size_t unknowns, held;                ///< number of unknowns; index of the one that is held
     double values[WHIRL_MAX_UNKNOWNS];    ///< values of all unknowns
@@ -74,7 +74,8 @@ static double profile_end(profile *p, const whirl_fit_solution *s, double step, 
             outside = x;
             outside_root = root; // NaN where a motion is lost
         }
-        // Go on at the chord; without an end outside at most three times as far, and half way to a lost motion.
+        // Next, try where the chord reaches the rise; half way to a lost motion; without any end, at most three times
+        // as far.
         if (isfinite(outside_root))
             x = inside + (outside - inside) * (1.0 - inside_root) / (outside_root - inside_root);
         else if (isfinite(outside))

@@ -89,7 +89,8 @@ static whirl_status rest_threshold(const fit_place *p, const whirl_fit_number *n
     fit_turning_make(&turning, p);
     rest_search s = {.place = p, .turning = &turning, .onset = number->quantity == WHIRL_FIT_ONSET};
     whirl_status status = whirl_ok();
-    // Follow it from where it was. At first an onset is the lowest one, a critical speed the one nearest to the number.
+    // Follow the number from where it was. At first take the lowest onset, or the critical speed nearest to the
+    // measured one.
     s.near = known ? rest_predict(p, kept, 0) : s.onset ? 0.0 - (double)INFINITY : number->value;
     if (!known) status = rest_look(&s, p->motion->from, p->motion->to, INTERVALS);
     for (size_t i = 0; i < sizeof widths / sizeof *widths && known && !s.found && status.code == WHIRL_OK; i++) {

@@ -105,7 +105,7 @@ whirl_status fit_orbit_onset(const fit_place *p, const fit_orbit *kept, fit_orbi
         status = special_follow(p, &turning, kept->special, near - width, near + width, kept->node, &branch);
         if (status.code == WHIRL_NO_MEMORY || status.code == WHIRL_STOPPED) return status;
     }
-    // At first, and where it is not there, follow the branch from its beginning.
+    // At first, and if the onset is not where it was expected, follow the branch from its beginning.
     if (!branch) status = special_follow(p, &turning, WHIRL_REGULAR, p->motion->from, p->motion->to, NULL, &branch);
     if (!branch && status.code == WHIRL_OK) status = whirl_fail(WHIRL_BAD_INPUT, "there is no onset");
     if (!branch) return status;

@@ -17,7 +17,7 @@ typedef struct statistics_record {
     const fit_place *place;
     const whirl_system *system;
     double length;       ///< metres of a unit of displacement
-    size_t first, count; ///< the numbers of the motion, which stand together
+    size_t first, count; ///< first number of the motion and how many there are, one after the other
     size_t taken, room;  ///< instants so far, and of the whole record
     double *series;      ///< [count][room] displacements in m; of the share of contact 1 or 0
     double *contacts;    ///< [contact_count] workspace
@@ -110,7 +110,7 @@ static double statistics_line(const double *f, size_t count, size_t instants, do
     statistics_turned turned = {.real = work, .imaginary = work + STATISTICS_PIECES * count / instants};
     statistics_turn(f, count, instants, order, &turned);
     if (order == round(order)) return statistics_size(&turned, 0.0);
-    // The largest of a grid, a quarter of the resolution apart.
+    // Find the largest size on a grid, a quarter of the resolution apart.
     const double apart = (double)instants / (double)(ACROSS * count);
     double best = -INFINITY, at = 0.0;
     const size_t places = 1 + (size_t)floor(2.0 * reach / apart);
@@ -120,7 +120,7 @@ static double statistics_line(const double *f, size_t count, size_t instants, do
         if (size > best) at = more;
         best = fmax(best, size);
     }
-    // The largest near it, by golden sections.
+    // Find the largest size near it, by golden sections.
     double low = at - apart, high = at + apart;
     for (int i = 0; i < STEPS; i++) {
         const double a = high - golden * (high - low), b = low + golden * (high - low);

@@ -19,9 +19,9 @@ typedef struct orbit_work {
     double *vectors;   ///< [all][all] present perturbations: those of the state, then those of the parameters
     double *carried;   ///< [revolutions][instants + 1][all][own] perturbations of x at the instants, and at the end
     size_t revolution; ///< present revolution
-    size_t instant;    ///< next instant of it
+    size_t instant;    ///< next instant of the present revolution
     size_t steps;      ///< calls of the integrator between two instants
-    size_t calls;      ///< its calls in this revolution
+    size_t calls;      ///< calls of the integrator in this revolution
 } orbit_work;
 
 /// Returns the perturbations at an instant of a revolution; `instants` is its end.

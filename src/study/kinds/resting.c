@@ -38,11 +38,11 @@ typedef struct long_point {
     bool collected;     ///< `bytes` are of the states that are being collected
     void *bytes;        ///< [size] the latest state; NULL: none
     size_t size;
-    double turns; ///< turns behind in that state
+    double turns; ///< completed turns in that state
 } long_point;
 
-/// The long points that a thread computes together. The journal keeps the states of all of them at once: they are
-/// collected, one of each point, and saved when a point comes by again.
+/// The long points that a thread computes together. The journal keeps the states of all of them at once: one state of
+/// each point is collected, and all are saved when a point offers a second one.
 typedef struct long_points {
     study_run *run;
     size_t thread, count;
@@ -72,7 +72,7 @@ static double *resting_block_of(const worker *w, size_t slot) {
     return w->table->blocks ? w->table->blocks + slot * w->table->layout.size : w->block;
 }
 
-/// Notes that a point is finished, of which a share was reported before.
+/// Notes that a point is finished; `share` of it was reported before.
 static void resting_finish(const worker *w, size_t slot, double share, bool recalled) {
     const double revolutions = pass_revolutions(w->run, w->pass);
     w->table->done[slot] = 1;
@@ -153,7 +153,7 @@ static void long_points_end(long_points *all) {
     all->count = 0;
 }
 
-/// Adds a point that may be long: from its saved state if there is one, which belongs to the point.
+/// Adds a point that may be long. It continues from its saved state if there is one, and then owns it.
 static whirl_saving long_point_begin(worker *w, size_t slot) {
     long_point *own = &w->lasting.points[w->lasting.count++];
     *own = (long_point){.run = w->run,
@@ -204,7 +204,7 @@ static whirl_status resting_locate(worker *w, size_t slot, resting_machine *own)
 }
 
 /// Returns true if other equilibria are looked for: for turning machines with their own bearings, from one value to the
-/// next. Records are no such values.
+/// next. The records of a data set have no such order.
 static bool looks_elsewhere(const worker *w, const whirl_machine *machine) {
     if (w->batch->dataset) return false;
     const size_t points = w->batch->tolerances.samples > 0 ? w->batch->row : w->table->count;
@@ -354,7 +354,7 @@ static whirl_status run_point_describe(worker *w, run_point *p, whirl_resting *p
     const whirl_status status = elsewhere_find(w->run->study, &p->batch, w->table->values, p->slot, machine, &w->rests,
                                                &point->rest, &p->elsewhere, &point->elsewhere_growth);
     if (status.code != WHIRL_OK || !point->rest) return status;
-    // The equilibria that are known change with the next point.
+    // Copy the equilibrium: the next point replaces the known ones.
     p->rest = malloc(bytes);
     if (!p->rest) return whirl_fail(WHIRL_NO_MEMORY, "no memory for points at rest");
     memcpy(p->rest, point->rest, bytes);
@@ -462,7 +462,8 @@ static whirl_status work_at_pieces(worker *w, deal *pieces, size_t size) {
     return status;
 }
 
-/// A run over time is a piece by itself: what its neighbours have to tell costs little beside it.
+/// Returns the number of points of a piece. A run-up is a piece by itself: what its neighbours could provide saves
+/// little.
 static size_t resting_piece(const whirl_batch *batch) {
     return (batch->analyses & runs_alone()) != 0 ? 1 : RESTING_PIECE;
 }

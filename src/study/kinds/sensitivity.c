@@ -134,8 +134,8 @@ static double time_factor(const whirl_sensitivity *s, size_t index) {
     return system_of(s, index)->period / system_of(s, 0)->period;
 }
 
-/// Writes the slope of machine `index`, per time of the first machine, to its row: at the fraction of its period that t
-/// is of the first machine's period.
+/// Writes the slope of machine `index`, per time of the first machine, to its row. The time t is that of the first
+/// machine; the other machine is at the same fraction of its period.
 static void slope_of(const whirl_sensitivity *s, size_t index, double t, const double *x, const double *sides) {
     const whirl_system *system = system_of(s, index);
     const double longer = time_factor(s, index);
@@ -145,7 +145,8 @@ static void slope_of(const whirl_sensitivity *s, size_t index, double t, const d
     for (size_t i = 0; i < system->dimension; i++) slope[i] *= longer;
 }
 
-/// Makes the machines of a level unless it has them; false if they cannot be made, and neither are those of later ones.
+/// Makes the machines of a level unless it has them. Returns false if they cannot be made; then later levels cannot
+/// either.
 static bool sensitivity_level(whirl_sensitivity *s, size_t level) {
     whirl_status status = whirl_ok();
     for (size_t i = 2 * level + 1; i <= 2 * level + 2 && status.code == WHIRL_OK && level < s->levels; i++)

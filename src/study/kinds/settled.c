@@ -57,7 +57,8 @@ static double return_distance(const whirl_record *r, size_t apart) {
     return largest;
 }
 
-/// Revolutions after which the motion returns to a thousandth of its size; 1 if it does not within `longest`.
+/// Returns the revolutions after which the motion returns to a thousandth of its size; 1 if it does not within
+/// `longest`.
 static size_t period_of(const whirl_record *r, size_t longest) {
     double size = 0.0;
     for (size_t i = 0; i < r->section_count * r->dimension; i++) size = fmax(size, fabs(r->section[i]));

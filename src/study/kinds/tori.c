@@ -84,7 +84,8 @@ static whirl_status tori_begin(const whirl_family *family, const whirl_branch_po
 
 // ---------------------------------------------------------------- tori that are known
 
-/// Returns the distance of a row's closed curve, by its mean, from the start of the nearest of an orbit's revolutions.
+/// Returns the distance from the mean of a row's closed curve to the nearest state at which a revolution of an orbit
+/// begins.
 static double distance_from(const rows *r, size_t row, const whirl_orbit *orbit) {
     const size_t d = orbit->dimension, apart = orbit->segment_count / orbit->revolutions;
     const size_t count = (size_t)*rows_field(r, row, WHIRL_FIELD_TORUS_NODE_COUNT);

@@ -17,7 +17,7 @@ whirl_batch varied_batch(const whirl_batch *batch, const char *name, double x, v
     return out;
 }
 
-/// Returns the batch with a parameter in place of its own one, which all machines then have at its value.
+/// Returns the batch with parameter `name` in place of its own parameter, which all machines then have at `value`.
 static whirl_batch varied_along(const whirl_batch *batch, const char *name, double value, varied_given given) {
     double own = value;
     whirl_batch out = varied_batch(batch, name, value, given, &own);

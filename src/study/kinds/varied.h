@@ -17,12 +17,12 @@ typedef struct varied_parameter {
     double reach; ///< as whirl_sensitivity_new takes it; 0 for an eighth of the value
 } varied_parameter;
 
-/// Returns a batch whose machines have the parameter `name` at x. `*value`, that of the batch's own parameter, becomes
-/// x if it is the same one. The batch borrows `given` and the name.
+/// Returns a batch whose machines have the parameter `name` at x. `*value`, the value of the batch's own parameter,
+/// becomes x if `name` is that parameter. The batch borrows `given` and the name.
 whirl_batch varied_batch(const whirl_batch *batch, const char *name, double x, varied_given given, double *value);
 
-/// Derives an orbit, of the batch's machine where its own parameter has a value, by parameters [count]. `lengths`, if
-/// not NULL, gets the metres of a unit of displacement and their derivatives [1 + count]. Errors as those of
+/// Derives an orbit of the batch's machine at `value` of its own parameter, by parameters [count]. `lengths`, if not
+/// NULL, gets the metres of a unit of displacement and their derivatives [1 + count]. Errors as those of
 /// whirl_sensitivity_new and whirl_orbit_sensitivity_new.
 whirl_status varied_orbit(const whirl_study *study, const whirl_batch *batch, double value, size_t count,
                           const varied_parameter *parameters, const whirl_orbit *orbit,

@@ -42,9 +42,10 @@ whirl_status map_add_field(const whirl_batch *batch, whirl_layout *layout) {
     study_add_field(layout, WHIRL_FIELD_MAP_SECOND, "1", "value of the second parameter, in SI");
     if (batch->third_values) study_add_field(layout, WHIRL_FIELD_MAP_THIRD, "1", "value of the third parameter, in SI");
     if (batch->refine > 0)
-        study_add_field(layout, WHIRL_FIELD_MAP_WIDTH, "1",
-                        "points of the grid along both axes, from this one on, that it covers: more than 1 where a "
-                        "square was not divided");
+        study_add_field(
+            layout, WHIRL_FIELD_MAP_WIDTH, "1",
+            "number of grid points along each axis, from this one on, that this point represents: more than 1 where a "
+            "square was not divided");
     return whirl_ok();
 }
 

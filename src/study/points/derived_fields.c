@@ -14,11 +14,11 @@ static bool derived_find(const whirl_system *system, const whirl_layout *layout,
 
 size_t derived_list(const whirl_derivatives *derivatives, const whirl_system *system, const whirl_layout *layout,
                     whirl_spread_at numbers[WHIRL_MAX_DERIVED]) {
-    // The chosen numbers that the layout has.
+    // Take the chosen numbers that the layout has.
     size_t count = 0;
     for (size_t i = 0; i < derivatives->number_count && count < WHIRL_MAX_DERIVED; i++)
         count += derived_find(system, layout, &derivatives->numbers[i], &numbers[count]);
-    // Without any choice, the usual ones.
+    // Without any choice, take the usual ones.
     whirl_spread_of of;
     size_t which;
     for (size_t i = 0;

@@ -50,7 +50,7 @@ double *pass_copy_start(const study_run *run, const pass *p, size_t slot) {
     double *start = malloc(d * sizeof *start), size = 0.0;
     if (!start) return NULL;
     for (size_t i = 0; i < d; i++) size = fmax(size, fabs(end[i]));
-    // Another direction for every copy and round, the same in every run.
+    // Take another direction for every copy and round, the same in every run.
     for (size_t i = 0; i < d; i++) {
         const double turn =
             fmod((double)((i + 1) * (size_t)(FOLLOW_COPIES * p->round + p->copy)) * 0.6180339887498949, 1.0);

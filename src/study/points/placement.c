@@ -45,11 +45,11 @@ static whirl_status bearing_stiffness(const placing *p, double *stiffness) {
                                  .speed = p->machine.speed,
                                  .at_speed = at_speed,
                                  .context = p};
-    // Coefficients of all bearings at the highest running speed.
+    // Compute the coefficients of all bearings at the highest running speed.
     double *numbers = calloc(8 * probes + 1, sizeof *numbers), sum = 0.0, count = 0.0;
     if (!numbers) return whirl_fail(WHIRL_NO_MEMORY, "no memory to place unbalances");
     const whirl_status status = whirl_bearings_at(&point, p->options->running_high, numbers);
-    // Their mean, by the number of bearings at each station.
+    // Take their mean, weighted by the number of bearings at each station.
     for (size_t i = 0; i < probes; i++) {
         const double kxx = numbers[8 * i], kyy = numbers[8 * i + 3];
         if (!(p->machine.statics[i].bearings > 0.0) || (!(kxx > 0.0) && !(kyy > 0.0))) continue;

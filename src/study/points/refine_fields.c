@@ -38,8 +38,9 @@ whirl_status refine_add_fields(whirl_layout *layout) {
                           WHIRL_MAX_FIELDS);
     study_add_field(layout, WHIRL_FIELD_REFINE_ROUNDS, "1",
                     "rounds of refinement, 0 for a point that was not in doubt or too dear");
-    study_add_field(layout, WHIRL_FIELD_REFINE_REVOLUTIONS, "revolution",
-                    "spent on refining, second tolerance included; those at n times the study's steps count n times");
+    study_add_field(
+        layout, WHIRL_FIELD_REFINE_REVOLUTIONS, "revolution",
+        "revolutions spent on refining, second tolerance included; those at n times the study's steps count n times");
     for (size_t i = 0; refine_option(i, &option); i++) {
         char name[WHIRL_NAME_SIZE];
         snprintf(name, sizeof name, "refine/%.50s", option.member->name);

@@ -80,7 +80,7 @@ static whirl_unit shown_chosen(const unit_word *word) {
 static const struct {
     const char *name;
     double size;
-    unit_kind kind; ///< UNIT_KINDS: always shown so
+    unit_kind kind; ///< UNIT_KINDS: no choice overrides this unit
 } shown_quantities[WHIRL_QUANTITIES] = {
     [WHIRL_QUANTITY_NUMBER] = {"", 1.0, UNIT_KINDS},
     [WHIRL_QUANTITY_PERCENT] = {"%", 1.0, UNIT_KINDS},
@@ -117,7 +117,7 @@ static const struct {
 
 /// Fills in the unit of every quantity.
 static void choose_quantities(whirl_shown_units *units, const unit_choice *choice) {
-    // The unit of each quantity: the requested one, or its usual one.
+    // Take for each quantity the requested unit, or its usual one.
     const whirl_unit length = units->size.size > 0.0 ? units->size : whirl_result_length_unit(units->result);
     for (int quantity = 0; quantity < WHIRL_QUANTITIES; quantity++) {
         const unit_kind kind = shown_quantities[quantity].kind;
@@ -137,7 +137,7 @@ static void choose_quantities(whirl_shown_units *units, const unit_choice *choic
                      word->shown);
         }
     }
-    // Temperatures have a zero of their own; lengths follow the chosen one.
+    // Set the zero of temperatures, and the chosen unit of lengths.
     const char *const degrees = units->of[WHIRL_QUANTITY_TEMPERATURE].name;
     units->zero = strcmp(degrees, "degC") == 0 ? 273.15 : strcmp(degrees, "degF") == 0 ? 459.67 : 0.0;
     units->of[WHIRL_QUANTITY_LENGTH] = length;

@@ -68,7 +68,7 @@ const char *whirl_spread_find(const whirl_spread_of *of, const whirl_layout *lay
     char names[WHIRL_MAX_COLUMNS][WHIRL_NAME_SIZE];
     *at = (whirl_spread_at){.field = field};
     if (!field) return "has a field that these points do not have";
-    // The station or contact.
+    // Find the station or contact.
     const bool contact = field->extent == WHIRL_PER_CONTACT;
     const char *const *owners = contact ? contacts : stations;
     const size_t count = field->extent == WHIRL_PER_POINT ? 0 : contact ? contact_count : station_count;
@@ -77,7 +77,7 @@ const char *whirl_spread_find(const whirl_spread_of *of, const whirl_layout *lay
     while (*of->at && at->which < count && strcmp(owners[at->which], of->at) != 0) at->which++;
     if (*of->at && (at->which == count || at->which >= field->repeat))
         return contact ? "has `at`, which names no contact" : "has `at`, which names no station";
-    // The row and the column.
+    // Find the row and the column.
     if (of->row >= field->rows) return "has a row that the field does not have";
     size_t column = 0;
     const bool named = whirl_field_column_names(field, names);
@@ -113,10 +113,11 @@ typedef struct drawn {
 
 /// Sums over the samples of one replicate, and of all.
 typedef struct sums {
-    double count, first, second;              ///< values of A and B: their number, sum and sum of squares
-    double pairs[WHIRL_MAX_TOLERANCES];       ///< samples with A, B and A with parameter i of B
-    double products[WHIRL_MAX_TOLERANCES];    ///< B (A with i of B, less A)
-    double differences[WHIRL_MAX_TOLERANCES]; ///< squares of A less A with i of B
+    double count, first, second;        ///< values of A and B: their number, sum and sum of squares
+    double pairs[WHIRL_MAX_TOLERANCES]; ///< number of samples with a, b and a_i: the numbers of A, of B, and of A with
+                                        ///< parameter i of B
+    double products[WHIRL_MAX_TOLERANCES];    ///< sums of b (a_i - a)
+    double differences[WHIRL_MAX_TOLERANCES]; ///< sums of (a - a_i)^2
 } sums;
 
 typedef struct replicates {
@@ -430,7 +431,7 @@ static double spread_draw(const wanted *of, const size_t *points, size_t places,
     return isinf(worst) ? (double)NAN : worst;
 }
 
-/// Makes all statistics missing but the probability to be beyond limits: no angle is the worst of several.
+/// Makes all statistics missing except the probability to be beyond limits: of several angles none is the worst.
 static void spread_forget(whirl_spread *s) {
     const whirl_estimate none = {NAN, NAN};
     s->least = s->most = (double)NAN;

@@ -7,7 +7,7 @@
 static const struct {
     const char *field, *column;
     size_t rows;
-    bool derived; ///< only of derivatives
+    bool derived; ///< used for derivatives only
 } usual[] = {
     {WHIRL_FIELD_ORBIT_MAX_RADIUS, "", 1, false},
     {WHIRL_FIELD_SPECTRUM_SYNCHRONOUS, "forward", 1, true},

@@ -108,7 +108,7 @@ static double bearing_unit_of(const whirl_bearing *of, const whirl_bearing_point
     return point->viscosity * point->speed * of->radius * of->length * share * share;
 }
 
-/// Dimensionless pads at a point's speed and viscosity.
+/// Returns the pads in dimensionless form, at a point's speed and viscosity.
 static whirl_pads pads_of(const whirl_bearing *of, const whirl_bearing_point *point) {
     const double c = of->pad_clearance, unit = bearing_unit_of(of, point), speed = point->speed, share = of->radius / c;
     whirl_pads pads = of->pads;

@@ -68,7 +68,7 @@ typedef struct worker {
     double *end;          ///< [dimension] end of a point's motion
     double *other;        ///< [other.size] a verdict that is compared with the point's
     double *block;        ///< [layout.size] block of a point whose block stays in the journal
-    whirl_status status;  ///< first error of a point that could not begin: those under way are finished
+    whirl_status status;  ///< first error of a point that could not begin; points under way are still finished
     double pending, last; ///< revolutions not yet reported to the tracker, and the time of the last report
     size_t number;        ///< number of the thread
     double save_at;       ///< time at which motions under way are saved next
@@ -399,7 +399,8 @@ static void worker_save(worker *w, whirl_recorder *recorder) {
     w->save_at = save_next(begun, clock_seconds());
 }
 
-/// Reports revolutions to the tracker, in packets, so that threads seldom meet. False if the run must end.
+/// Reports revolutions to the tracker, in packets, so that threads seldom wait for each other. False if the run must
+/// end.
 static bool worker_report(worker *w, size_t turned) {
     study_run *run = w->work->run;
     const double seconds = clock_seconds();
@@ -494,8 +495,8 @@ whirl_status passes_work(study_run *run, const pass *passes, size_t count) {
     pass_work *all = calloc(count + 1, sizeof *all);
     whirl_status status = all ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu passes", count);
     size_t moving = 0;
-    // First the passes without motions, in their order: machines at rest, and branches, whose curves and tori depend
-    // on what was found.
+    // Work first at the passes without motions, in their order: machines at rest, and branches, whose curves and tori
+    // depend on what was found.
     for (size_t i = 0; i < count && status.code == WHIRL_OK; i++) {
         const study_kind *kind = study_kind_of(&run->study->batches[passes[i].batch]);
         status = kind->work ? kind->work(run, &passes[i]) : pass_work_new(&all[moving++], run, &passes[i]);

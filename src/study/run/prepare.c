@@ -61,7 +61,7 @@ static whirl_status choose_places(preparation *p) {
         for (size_t i = 0; i < 3 && status.code == WHIRL_OK; i++) {
             if (i == 0 || at[i] != at[i - 1]) status = add_place(p, b, at[i]);
             if (b == 0 && i == 0) of_first = whirl_film_tables_count(&p->tables);
-            // Machines of a study have the same elements.
+            // All machines of a study have the same elements: if the first one has no tables, none has.
             if (of_first == 0) return status;
         }
     }

@@ -114,7 +114,8 @@ static void take_verdicts(whirl_verification *v, whirl_result *const results[WHI
     }
 }
 
-/// Adds to an exponent's error its difference from the next tolerance's, for the last one from the one before.
+/// Adds to an exponent's error its difference from the exponent at the next tolerance; at the last one, from the one
+/// before.
 static void compare_exponents(whirl_verification *v) {
     for (size_t point = 0; point < v->count; point++)
         for (int m = 0; m < WHIRL_VERIFY_METHODS; m++)
