@@ -30,18 +30,19 @@ dependencies-%:
 
 # ---------------------------------------------------------------- tests
 
-# Where tests run by themselves nothing may be left out; a person without a network still gets the rest.
+# In continuous integration (CI) the explorer must be built; elsewhere it is left out where it cannot be, as without a
+# network.
 EXPLORER = scripts/explorer.sh $(if $(CI),,--if-possible) $(BUILD)/explorer
-# A proof is made of phases, which a table at its end tells the time of.
+# A proof is a sequence of phases; a table at its end shows the time of each.
 export PHASES := $(CURDIR)/$(BUILD)/phases.txt
 PHASE   := scripts/phase.sh
 prove    = @$(PHASE) --begin && $(MAKE) --no-print-directory $(1) && $(PHASE) --table
-# Which tests a proof leaves out, the labels of cmake/testing.cmake; and which instruction set the sanitized build has
-# beside the portable ones: nothing for all of them.
+# LEAVE: label of the tests that a proof leaves out (cmake/testing.cmake). WIDE: instruction set of the sanitized build
+# in addition to the portable ones; empty: all.
 LEAVE := long
 WIDE  := avx2
 
-test:           ## everything is built, run and proved but for the tests that are long (15 minutes on two cores)
+test:           ## builds everything, and runs all tests that are not long (15 minutes on two cores)
 	@echo "make test: 15 minutes on two cores, and 5 more for packages where they are missing"
 	$(call prove,test-steps)
 
@@ -78,8 +79,8 @@ sanitize-steps: sanitize-build thread-steps
 	@$(PHASE) "sanitized: a minute of fuzzing" scripts/fuzz.sh $(BUILD)/sanitize 60
 	@$(PHASE) "sanitized: tests" ctest --test-dir $(BUILD)/sanitize -j $(JOBS) -L 'unit|cli|compilers' -LE '^($(LEAVE))$$' --no-tests=error
 
-# Eigen's part of the library is taken as the release has compiled it, and layers that know of no threads where these are
-# looked at.
+# Both builds by sanitizers reuse the release's object of Eigen's part of the library. The thread sanitizer's also
+# reuses layers without threads.
 sanitized = -DWHIRL_OTHER=$(CURDIR)/$(BUILD)
 ALONE    := report;import
 
@@ -136,8 +137,8 @@ paper:          ## the 2015 paper's study, from its three case files to a report
 	@echo "The report is $(PAPER)/report/report.html"
 	@echo "Where and why the motion changes: $(PAPER)/changes/report.html; regimes over two parameters: $(PAPER)/map/report.html"
 
-# A run is done again when its case or the command has changed since. These rules are for `make paper`, which builds
-# the command first. One that was interrupted goes on from its journal; its partial result is no target that is made.
+# A run is done again when its case or the command has changed since. These rules are for `make paper`, which builds the
+# command first. An interrupted run continues from its journal; make deletes its partial result.
 .DELETE_ON_ERROR:
 $(PAPER)/%.h5: cases/%.yaml $(WHIRL)
 	$(WHIRL) run $< -o $@ $(if $(wildcard $@.journal),--resume,--force)

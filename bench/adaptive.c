@@ -5,7 +5,7 @@
 
 #include "peer.h"
 
-/// After 20 revolutions at r_k = 0.6, in extended precision with contacts located.
+/// State after 20 revolutions at r_k = 0.6, in extended precision with contacts located.
 static const double reference[ROTOR_DIMENSION] = {0.345742007211082,  -0.960673474907434, 0.357385561474779,
                                                   -0.838058876108404, 0.029677947868724,  -0.238524876790490,
                                                   0.022189656319900,  -0.057177790683174};

@@ -20,8 +20,8 @@ extern "C" {
 typedef struct adaptive_peer {
     const char *name;
     size_t machines;                                         ///< carried side by side, the first with r_k = ROTOR_R_K
-    void (*revolve)(void *context);                          ///< all machines over one revolution
-    void (*state)(void *context, double z[ROTOR_DIMENSION]); ///< of the first machine
+    void (*revolve)(void *context);                          ///< carries all machines over one revolution
+    void (*state)(void *context, double z[ROTOR_DIMENSION]); ///< writes the state of the first machine
     void *context;
 } adaptive_peer;
 

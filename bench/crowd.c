@@ -5,7 +5,7 @@
 
 #include "machines.h"
 
-enum { SAMPLES = 64 }; ///< of a waveform a revolution, the command's default
+enum { SAMPLES = 64 }; ///< samples of a waveform in a revolution, the command's default
 
 static void crowd_sample(void *context) {
     crowd *c = context;
@@ -14,7 +14,7 @@ static void crowd_sample(void *context) {
         memcpy(to, whirl_ensemble_coordinate(c->ensemble, i), c->lanes * sizeof *to);
 }
 
-/// The samples of a revolution go to the waveform of every machine, as the command's recorder does it.
+/// Copies the samples of a revolution to the waveform of every machine, as the command's recorder does.
 static void crowd_keep(crowd *c) {
     enum { NEIGHBOURS = 8 };
     const size_t rows = 2 * c->stations;

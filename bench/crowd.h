@@ -1,4 +1,4 @@
-/// Many machines of whirl's in lanes, bare or watched as the command's recorder does it.
+/// Many of whirl's machines in lanes: bare, or watched as the command's recorder watches them.
 #ifndef BENCH_CROWD_H
 #define BENCH_CROWD_H
 
@@ -23,7 +23,7 @@ typedef struct crowd {
     double *waveform; ///< [lanes][stations][2][CROWD_SAMPLES], as records have them
 } crowd;
 
-/// Zeros; a program without memory ends.
+/// Allocates zeros; ends the program if there is no memory.
 void *room(size_t count, size_t size);
 
 crowd *crowd_new(const crowd_kind *kind, bool watched);
@@ -32,7 +32,7 @@ void crowd_free(crowd *c);
 /// Carries all machines of a crowd over a revolution; a peer's function, whose context is the crowd.
 void crowd_revolve(void *context);
 
-/// The first coordinate of the first machine.
+/// Returns the first coordinate of the first machine.
 double crowd_x1(void *context);
 
 #endif

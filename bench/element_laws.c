@@ -5,7 +5,8 @@
 
 #define PI 3.14159265358979323846
 
-/// Capone's force of a short film, the directions A and B of which are given; returns sqrt(1 - e^2).
+/// Computes Capone's force of a short film in the direction (A, B), and the angle of that formula; returns sqrt(1 -
+/// e^2).
 static double short_film(const film_law *film, double x, double y, double A, double B, double *force, double *angle) {
     const double q = 1.0 - x * x - y * y, root = sqrt(q), C = sqrt(A * A + B * B);
     const double ca = -A / C, sa = -B / C, across = y * ca - x * sa, along = x * ca + y * sa;
@@ -31,9 +32,10 @@ void ring_force(const void *law, const double *d, const double *w, const double 
     slope[0] = own->inner.drag * (1.0 - speed) / inner - own->outer.drag * speed / outer;
 }
 
-enum { IN_P = 15, IN_B = 13 }; ///< degrees
+enum { IN_P = 15, IN_B = 13 }; ///< degrees of the polynomials in p and in b
 
-/// Polynomials by Horner's rule in two variables; the real part's coefficients, of even powers of p, come first.
+/// Returns a polynomial in two variables, by Horner's rule. The real part's coefficients, of even powers of p, come
+/// first.
 static double in_two(const double *coefficients, int first, double p, double b) {
     double row[IN_P + 1], sum = 0.0;
     const double *next = coefficients;
@@ -48,7 +50,7 @@ static double in_two(const double *coefficients, int first, double p, double b) 
     return first ? sum * p : sum;
 }
 
-/// Coefficients of the real part (first: 0), or of the imaginary one (1).
+/// Returns the number of coefficients of the real part (first: 0) or of the imaginary one (1).
 static int count_of(int first) {
     int count = 0;
     for (int i = first; i <= IN_P; i += 2) count += IN_B * (IN_P - i) / IN_P + 1;

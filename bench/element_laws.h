@@ -1,20 +1,21 @@
-/// Laws of elements as plain C functions of one place each, the peers of whirl's kernels in lanes: angles by one sine
-/// and cosine a turn, branches where nothing touches, no division twice. All in the units of the machines in
-/// elements.c.
+/// Laws of elements as plain C functions, one element at a time: the peers of whirl's kernels in lanes. All balls or
+/// blades share one sine and cosine a turn, open contacts return at once, and no division is repeated. All numbers are
+/// in the units of the machines in elements.c.
 #ifndef BENCH_ELEMENT_LAWS_H
 #define BENCH_ELEMENT_LAWS_H
 
 enum { LAW_STATES = 8, LAW_BLADES = 12 };
 
-/// The forces along the axes at displacements d and velocities w, [2] or [4], and the slopes of the states s.
+/// Computes the forces along the axes at displacements d and velocities w, [2] or [4], and the slopes of the states s.
 typedef void element_law(const void *law, const double *d, const double *w, const double *s, double *force,
                          double *slope);
 
 typedef struct film_law {
-    double clearance, strength, drag; ///< strength: mu omega R L^3/(4 c^2); drag: what a speed does to the ring's
+    double clearance, strength,
+        drag; ///< strength: mu omega R L^3/(4 c^2); drag: rate of the ring's speed per relative speed, e = 0
 } film_law;
 
-/// A journal in a ring in a housing; s: the ring's speed less what it is in the middle.
+/// A journal in a ring in a housing; s: the ring's speed less `speed`, its value if all are centred.
 typedef struct ring_law {
     film_law inner, outer;
     double speed;

@@ -1,8 +1,10 @@
-// Elements' kernels in lanes beside plain C functions of the same laws (element_laws.h): a machine of one element, four
-// times, at states of all kinds. Both must give the same accelerations, and slopes of states, before they are timed.
+// Elements' kernels in lanes compared with plain C functions of the same laws (element_laws.h): a machine of one
+// element, four times, at states of all kinds. Both must give the same accelerations, and slopes of states, before they
+// are timed.
 //
-//   bench_elements SECONDS [ELEMENT]      lines: ISA or C, element; evaluations of an element a second; largest
-//   difference
+//   bench_elements SECONDS [ELEMENT]
+//
+// Prints lines: ISA or C, and element; evaluations of an element a second; largest difference.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -36,8 +38,8 @@ typedef struct bench_element {
     size_t setting_count;
     element_law *law;
     const void *numbers;
-    double least, most, speed; ///< of distances from the middle, of velocities
-    double states[2], fluid;   ///< least and most of states; a fluid's mass that the station has besides
+    double least, most, speed; ///< least and largest distance from the middle; largest velocity
+    double states[2], fluid;   ///< least and largest state; mass of fluid that the station has besides
     size_t axes, state_count;
 } bench_element;
 
@@ -319,7 +321,8 @@ static whirl_rotor *machine_of(const bench_element *of) {
     return rotor;
 }
 
-/// One state as the law sees it: displacements and velocities of a place from the next, and its own states.
+/// One state as the law takes it: displacements and velocities of a place relative to the next, and the element's
+/// states.
 typedef struct state {
     double d[COORDINATES], w[COORDINATES], s[LAW_STATES];
 } state;
@@ -337,15 +340,16 @@ static state random_state(const bench_element *of) {
     return out;
 }
 
-/// All that is computed: blocks of lanes, each with arrays of vectors as kernels take them, and the same one by one.
+/// Data of one benchmark: blocks of lanes, each with arrays of vectors as kernels take them, and the same states one by
+/// one.
 typedef struct bench {
     const bench_element *of;
     const whirl_lanes *lanes;
     lanes_view view[MAX_BLOCKS];
     const isa *on;
-    size_t blocks, width, count; ///< lanes of a block, states of all
-    size_t degrees, rows;        ///< rows of the velocities, with the states
-    double *a, *rates;           ///< of the last block; of the last single state
+    size_t blocks, width, count; ///< blocks; lanes of a block; states of all blocks
+    size_t degrees, rows;        ///< rows of velocities; rows of velocities and states
+    double *a, *rates;           ///< slopes of the last block; of the last single state
     state *states;               ///< [count]
 } bench;
 
@@ -357,7 +361,7 @@ static double *aligned(size_t count) {
     return block;
 }
 
-/// Absolute places of a ring, from that of the place behind it.
+/// Returns an absolute displacement: rows 0 and 1, of the journal, are relative to rows 2 and 3, of its ring.
 static double placed(const double *d, size_t row) {
     return row < 2 ? d[row] + d[row + 2] : d[row];
 }
@@ -393,7 +397,7 @@ static bench bench_new(const bench_element *of, const whirl_rotor *rotor) {
             state *at = &b.states[block * b.width + lane];
             *at = random_state(of);
             fill_lane(&b, q, v, at, lane);
-            // The kernel of a ring gets the difference of both displacements.
+            // The law of a ring takes the difference of both displacements.
             for (size_t a = 0; a < 2 && of->axes == COORDINATES; a++) {
                 at->d[a] = q[a * b.width + lane] - q[(a + 2) * b.width + lane];
                 at->w[a] = v[a * b.width + lane] - v[(a + 2) * b.width + lane];
@@ -418,7 +422,7 @@ static void in_lanes(const bench *b, size_t block) {
     b->lanes->flow[b->on->number](&b->view[block]);
 }
 
-/// The same in plain C, into out [degrees + states].
+/// Computes the accelerations and the slopes of one state in plain C: out [degrees + states].
 static void one_by_one(const bench *b, const state *at, double *out) {
     double sum[COORDINATES] = {0.0}, force[COORDINATES];
     const bench_element *of = b->of;
@@ -430,7 +434,7 @@ static void one_by_one(const bench *b, const state *at, double *out) {
     for (size_t a = 0; a < b->degrees; a++) out[a] = over * (a < 2 ? sum[a] : sum[a] - sum[a - 2]);
 }
 
-/// The largest of all accelerations.
+/// Returns the largest of all accelerations.
 static double largest_size(const bench *b) {
     double largest = 0.0, out[COORDINATES + MAX_STATES];
     for (size_t i = 0; i < b->count; i++) {
@@ -440,8 +444,8 @@ static double largest_size(const bench *b) {
     return largest;
 }
 
-/// The largest difference, over the size of the force, which counts as a hundredth of the largest one where it is less
-/// (what just touches), or of the slope and 1.
+/// Returns the largest difference of an acceleration over the largest one of its state, at least a hundredth of the
+/// largest of all (for contacts that barely touch), or of a slope over 1 plus the slope.
 static double largest_difference(const bench *b) {
     double worst = 0.0, out[COORDINATES + MAX_STATES];
     const double least = 1e-2 * largest_size(b);
@@ -465,9 +469,9 @@ static void tell(const char *who, const bench_element *of, double rate, double a
 }
 
 static bool failed;
-static const char *wanted; ///< what the names begin with that are measured; NULL: all
+static const char *wanted; ///< beginning of the names that are measured; NULL: all
 
-/// Evaluations a second, the best of rounds that go through all states.
+/// Measures evaluations a second: the best of rounds that go through all states.
 static void measure(const bench_element *of, double seconds) {
     if (wanted && strncmp(of->name, wanted, strlen(wanted)) != 0) return;
     whirl_rotor *rotor = machine_of(of);

@@ -47,7 +47,7 @@ bool bench_fit_orbit(const whirl_study *study, const double values[PARAMETERS], 
     batch.given = given;
     batch.given_count = PARAMETERS + 1;
     if (study->machine(study->family, &batch, NAN, &machine).code != WHIRL_OK) return false;
-    // The transient, then the orbit.
+    // Follow the transient, then find the orbit.
     whirl_orbit_options options = whirl_orbit_default();
     options.integrate.atol *= rtol / options.integrate.rtol;
     options.integrate.rtol = rtol;

@@ -22,7 +22,7 @@ from scipy.optimize import fsolve, least_squares
 SPEEDS, SAMPLES, RTOL = (0.85, 1.0, 1.15), 64, 1e-11
 TRUTH = np.array([0.9, 1.0, 10.0, 0.05, 0.2])
 START = np.array([0.92, 0.99, 10.5, 0.06, 0.21])
-# of an independent program (tests/validation/test_fit.c)
+# found by an independent program (tests/validation/test_fit.c)
 FOUND = np.array([0.9000638546263, 0.9998612866208, 9.995958362655, 0.0500193183249, 0.2000210795785])
 ANGLES = 2 * np.pi * np.arange(SAMPLES) / SAMPLES
 

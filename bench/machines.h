@@ -20,8 +20,8 @@ whirl_rotor *paper_rotor_listed(double r_k);
 /// run in an oil film. Scaled so that 1024 steps per revolution carry it stably. Freed by whirl_rotor_free.
 whirl_rotor *chain_rotor(size_t stations, double r_k);
 
-/// Ten journals of 20 kg, each by itself in a film of a law of `film`; without one where that is NULL. `length` in m.
-/// Freed by whirl_rotor_free.
+/// Ten journals of 20 kg, each by itself in an element film with this law; NULL: without films. `length` in m. Freed by
+/// whirl_rotor_free.
 whirl_rotor *films_rotor(const char *law, double length);
 
 /// The overhung rotor of overhung.h at a speed (rad/s): 20 finite elements, reduced. Freed by whirl_rotor_free.

@@ -37,7 +37,7 @@ static jacobian jacobian_of(double speed, const char *station, double stiffness)
     return j;
 }
 
-/// K and G as the equations have them.
+/// Checks that K falls with the square of the speed, and that G does not depend on it.
 static void check_speed(const jacobian *j) {
     const double speed = 2.0 * OVERHUNG_SPEED;
     const jacobian other = jacobian_of(speed, NULL, 0.0);
@@ -47,14 +47,16 @@ static void check_speed(const jacobian *j) {
             apart = fmax(apart, fabs(other.place[i][k] * 4.0 - j->place[i][k]));
             apart = fmax(apart, fabs(other.velocity[i][k] - j->velocity[i][k]));
         }
-    if (!(apart < 1e-8)) must((whirl_status){.code = WHIRL_NUMERICAL_FAILURE, .message = "K or G is not as the speed"});
+    if (!(apart < 1e-8))
+        must((whirl_status){.code = WHIRL_NUMERICAL_FAILURE,
+                            .message = "K or G does not depend on the speed as it should"});
 }
 
 static void write_row(FILE *to, const double *row, double scale) {
     for (int i = 0; i < N; i++) fprintf(to, "%.17g%c", scale * row[i], i + 1 < N ? ' ' : '\n');
 }
 
-/// A row for each row of the matrix.
+/// Writes a matrix, a line for each of its rows.
 static void write_matrix(FILE *to, const double from[N][N]) {
     double row[N];
     for (int k = 0; k < N; k++) {
@@ -63,7 +65,7 @@ static void write_matrix(FILE *to, const double from[N][N]) {
     }
 }
 
-/// The columns of P, 1/kg, a row each.
+/// Writes the columns of P, 1/kg, a line each.
 static void write_ports(FILE *to, const jacobian *j) {
     static const char *const station[] = {"left", "right", "disc"};
     const double stiffness = 1e9;
@@ -75,7 +77,7 @@ static void write_ports(FILE *to, const jacobian *j) {
     }
 }
 
-/// g, u and w.
+/// Writes g, u and w.
 static void write_forces(FILE *to) {
     whirl_rotor *rotor = overhung_free_rotor(OVERHUNG_SPEED, NULL, 0.0);
     const whirl_system *system = whirl_rotor_system(rotor);

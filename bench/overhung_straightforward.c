@@ -1,5 +1,5 @@
 // The peer "straightforward C" of the overhung rotor: one machine, its matrices as they are, RK4 on an array of 44.
-// Compiled twice, with different flags, which PEER_NAME tells.
+// Compiled twice, with different flags; PEER_NAME says with which.
 #include "overhung_equations.h"
 #include "peer.h"
 

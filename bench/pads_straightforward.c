@@ -1,5 +1,5 @@
-// The peer "straightforward C" of pads.h: one machine after the equations, its table read from a file, RK4 on arrays.
-// Compiled twice, with different flags, which PEER_NAME tells.
+// The peer "straightforward C" of pads.h: one machine by these equations, its table read from a file, RK4 on arrays.
+// Compiled twice, with different flags; PEER_NAME says with which.
 //
 //   bench_pads_c SECONDS FILE        the file of bench_pads_table
 #include <math.h>
@@ -10,7 +10,7 @@
 #include "peer.h"
 #include "rotor.h"
 
-// Of the table: nodes, the first of them and their distances.
+// Nodes of the table along t, w and alpha; the first node and the distance of nodes along t and w.
 enum { T_NODES = 28, W_NODES = 27, ALPHA_NODES = 48, OWN = 4 + 2 * PADS_COUNT, N = PADS_JOURNALS * OWN };
 static const double first_t = 0.14, step_t = 1.46 / (T_NODES - 1), first_w = -0.92, step_w = 1.84 / (W_NODES - 1);
 static double table[T_NODES + 2][W_NODES + 2][ALPHA_NODES + 3][2];
@@ -35,7 +35,7 @@ static void prepare(void) {
     weight = PADS_GRAVITY / clock;
 }
 
-/// The cell of a place on an axis, and the four splines there.
+/// Finds the cell of a place on an axis, and the four splines there.
 static int splines(double at, double first, double step, int cells, double value[4]) {
     double place = (at - first) / step;
     if (place < 0.0) place = 0.0;
@@ -49,7 +49,7 @@ static int splines(double at, double first, double step, int cells, double value
     return cell;
 }
 
-/// The force of one pad, in its frame.
+/// Computes the force of one pad, in its frame.
 static void film(double x, double y, double a, double b, double f[2]) {
     const double h = 1.0 - x, most = x < half_cosine ? (1.0 - half_cosine * x) / half_sine : sqrt(1.0 - x * x);
     const double v = y / most, rest = 1.0 - v * v, w = v / (1.0 + sqrt(rest)), V = sqrt(a * a + b * b);

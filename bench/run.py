@@ -253,7 +253,7 @@ def computer():
 
 
 def compilers(build):
-    """As CMake found them, "GNU 12.2.0"; C and C++ are mostly one."""
+    """Compilers as CMake found them, "GNU 12.2.0"; those of C and C++ are mostly the same."""
     found = []
     for language in ("C", "CXX"):
         for path in build.glob(f"CMakeFiles/*/CMake{language}Compiler.cmake"):
@@ -264,7 +264,7 @@ def compilers(build):
 
 
 def versions():
-    """Of the peers' libraries, where pkg-config or the program knows."""
+    """Versions of the peers' libraries, where pkg-config or the program knows them."""
     found = [f"glibc {os.confstr('CS_GNU_LIBC_VERSION').split()[-1]}"]
     for name, module in (("GSL", "gsl"),):
         version = first_line("pkg-config", "--modversion", module)
@@ -279,7 +279,7 @@ def versions():
 
 
 def short(value):
-    """Three digits: 4.93e7, 13,800, 1.18."""
+    """A number with three digits: 4.93e7, 13,800, 1.18."""
     if 1000 <= value < 1e5:
         return f"{float(f'{value:.3g}'):,.0f}"
     return f"{value:.3g}".replace("e+0", "e").replace("e+", "e")
@@ -332,7 +332,7 @@ def study_table(best, studies):
 
 
 def key_ratios(best):
-    """The sentences that the tables are made for."""
+    """Sentences with the ratios that the tables show."""
     widest = next(isa for isa in INSTRUCTION_SETS if f"whirl {isa} bare" in best)
     bare, watched = best[f"whirl {widest} bare"], best[f"whirl {widest} watched"]
     vectorised = best_loop(best)
@@ -445,7 +445,7 @@ def adaptive_table(best, errors):
 
 
 def adaptive_sentences(best, errors, loop):
-    """Against GSL, and against heyoka by way of peers."""
+    """Sentences that compare with GSL, and with heyoka by way of peers."""
     gsl = best.get("GSL odeiv2 rk8pd")
     if not gsl:
         return ["GSL was not there to compare with."]
@@ -490,7 +490,7 @@ of the Neimark-Sacker point at {torus:.12f}. Load before {before:.1f}, after {af
 # By AUTO-07p with 100, 200 and 400 intervals of 7 points, and by whirl.
 TORUS = 0.392506766046
 AUTO = HERE.parent / "tests" / "peers" / "auto"
-# What its points are, by the options of follow.py; the first of them at about whirl's accuracy at rtol 1e-8.
+# Settings of AUTO, as options of follow.py; the first one is about as accurate as whirl at rtol 1e-8.
 AUTO_SETTINGS = (["--ntst=50", "--ncol=4", "--loose"], ["--ntst=50", "--ncol=4"], ["--ntst=100", "--ncol=7"])
 
 
@@ -762,7 +762,7 @@ def overhung_sentences(rates):
 
 
 def seconds_of(core, *command):
-    """By the clock, the best of five."""
+    """Seconds of a command by the clock, the best of five runs."""
     best = float("inf")
     for _ in range(5):
         start = time.monotonic()

@@ -1,5 +1,5 @@
 // The peer "straightforward C": the equations typed in as the paper has them, RK4 on an array of eight. Compiled twice,
-// with different flags, which PEER_NAME tells.
+// with different flags; PEER_NAME says with which.
 #include <math.h>
 
 #include "peer.h"

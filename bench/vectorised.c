@@ -64,7 +64,7 @@ static inline void slope(double a, double b, const double *wave, double x1, doub
     *ay2 = ROTOR_K2 * sy - rotor_G - 0.5 * rotor_xi2 * vy2 + scale * (y2 * CV3 - A * G + B * S2);
 }
 
-/// One step of all machines: Nystrom's form of RK4, each machine from its state to its state in one body.
+/// Carries all machines over one step, in Nystrom's form of RK4: one loop body takes a machine over the whole step.
 static void step(machines *restrict m, const double *start, const double *middle, const double *end) {
     const double h = 2.0 * ROTOR_PI / ROTOR_STEPS, g = 0.5 * h;
     double *restrict px1 = m->z[0], *restrict py1 = m->z[1], *restrict px2 = m->z[2], *restrict py2 = m->z[3];

@@ -1,5 +1,5 @@
 // whirl's methods that locate contacts, through the public library: dop853 in lanes of the instruction set that
-// WHIRL_ISA names, at the peers' tolerance and tighter, RK4 with located contacts beside plain RK4, and dop853 for a
+// WHIRL_ISA names, at the peers' tolerance and tighter, RK4 with located contacts and plain RK4, and dop853 for a
 // single machine.
 //
 //   bench_whirl_adaptive SECONDS [alone]
@@ -27,7 +27,8 @@ static void state_of_lane(void *context, double z[ROTOR_DIMENSION]) {
     whirl_ensemble_state(((lanes *)context)->ensemble, 0, z);
 }
 
-/// The first machine is that of the peers, the others are its neighbours: r_k from 0.55 to 0.65.
+/// Measures machines in lanes. The first one is that of the peers, the others are its neighbours: r_k from 0.55 to
+/// 0.65.
 static void measure_lanes(const char *method, double rtol, bool located, double seconds) {
     const double start[ROTOR_DIMENSION] = ROTOR_START;
     whirl_integrate_options options = whirl_integrate_default();

@@ -3,8 +3,7 @@
 //
 //   bench_whirl_branch SECONDS CASE          measures
 //   bench_whirl_branch --points RTOL CASE    prints the points, as tests/peers/auto/follow.py does
-//   bench_whirl_branch --errors CASE         reads such points, and prints the largest errors of all: of a coordinate
-//   at
+//   bench_whirl_branch --errors CASE         reads such points, and prints their largest errors: of a coordinate at
 //                                            tau = 0, and of a multiplier
 #include <math.h>
 #include <stdio.h>
@@ -40,7 +39,7 @@ static whirl_branch_options options_of(double rtol) {
     return options;
 }
 
-/// The orbit at the first value: found in one segment, then cut.
+/// Finds the orbit at the first value in one segment, then divides it into segments.
 static whirl_orbit *find_first(const whirl_case *object, const whirl_branch_options *options) {
     const double start[DIMENSION] = {0.0, -0.9, 0.0, -0.8};
     whirl_orbit_options whole = options->orbit;
@@ -96,7 +95,7 @@ static void print_points(const whirl_case *object, double rtol) {
     whirl_orbit_free(start);
 }
 
-/// The largest distance of a multiplier [real, imaginary] from the nearest of the orbit's.
+/// Returns the largest distance of a multiplier [real, imaginary] from the nearest of the orbit's.
 static double multipliers_apart(const whirl_orbit *orbit, const double *multipliers) {
     double largest = 0.0;
     for (int i = 0; i < DIMENSION; i++) {
@@ -109,7 +108,7 @@ static double multipliers_apart(const whirl_orbit *orbit, const double *multipli
     return largest;
 }
 
-/// Holds points against orbits found at tolerances as tight as doubles allow.
+/// Compares points with orbits found at tolerances as tight as doubles allow.
 static void print_errors(const whirl_case *object) {
     const whirl_orbit_options exact = whirl_orbit_default();
     double numbers[1 + 3 * DIMENSION], start[DIMENSION], state = 0.0, multipliers = 0.0;

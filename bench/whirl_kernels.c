@@ -36,7 +36,7 @@ static whirl_rotor *rotor_of(size_t stations, int lane, int lanes) {
     return stations == 2 ? paper_rotor(r_k) : chain_rotor(stations, r_k);
 }
 
-/// From rest at y = -0.1 everywhere.
+/// Starts all stations from rest at y = -0.1.
 static void start_of(size_t stations, double *x) {
     for (size_t i = 0; i < stations; i++) x[2 * i + 1] = -0.1;
 }

@@ -1,6 +1,6 @@
 // Four journals by themselves, each in a bearing of five pads (pads.h), in lanes of the instruction set that WHIRL_ISA
-// names: pads that tilt with inertia, as the peer has them, without, and fixed ones; beside them one plain film a
-// journal, short and of finite length, and no bearing, so that one sees what a film costs.
+// names: pads that tilt with inertia, as the peer has them, pads that tilt without inertia, and fixed pads. For
+// comparison also one plain film a journal, short or of finite length, and no bearing: they show the cost of a film.
 //
 //   bench_whirl_pads SECONDS
 #include <stdio.h>
@@ -20,7 +20,7 @@ static const struct kind {
              {"five tilting pads", "tilting_pad", NULL, true},
              {"five tilting pads without inertia", "tilting_pad", NULL, false}};
 
-/// The one that is measured.
+/// The kind of bearing that is measured.
 static const struct kind *now;
 
 static void add_bearing(whirl_design *design, const char *station) {

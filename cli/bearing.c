@@ -89,7 +89,7 @@ static error_t bearing_parse(int key, char *argument, struct argp_state *state) 
         if (arguments->path) bad_argument(state, "takes one FILE, '%s' is one too many", argument);
         arguments->path = argument;
         return 0;
-    // Options that need others.
+    // Check options that need others.
     case ARGP_KEY_END:
         require_option(state, arguments->path, "FILE.yaml");
         if (arguments->over_frequency && !arguments->table)

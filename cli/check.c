@@ -115,7 +115,7 @@ static whirl_status carry_with(look *l, size_t first, const whirl_batch *batch) 
     whirl_integrate_options stable = batch->integrate;
     whirl_ensemble *lanes;
     size_t in[LOOKED_AT], used = 0;
-    // rodas5p with wide tolerances, for at most MAX_SECONDS.
+    // Use rodas5p with wide tolerances, for at most MAX_SECONDS.
     snprintf(stable.method, sizeof stable.method, "rodas5p");
     stable.rtol = 1e-6;
     stable.atol = 1e-9;

@@ -38,7 +38,7 @@ static error_t export_parse(int key, char *argument, struct argp_state *state) {
         if (arguments->result) bad_argument(state, "takes one result, '%s' is one too many", argument);
         arguments->result = argument;
         return 0;
-    // Required arguments.
+    // Check the required arguments.
     case ARGP_KEY_END:
         require_option(state, arguments->result, "RESULT.h5");
         if (!arguments->mat) require_option(state, arguments->csv, "--csv DIR or --mat FILE");

@@ -81,7 +81,7 @@ static error_t figure_parse(int key, char *argument, struct argp_state *state) {
     case KEY_FORCE:
         arguments->force = true;
         return 0;
-    // The result, then the name of the figure.
+    // Take the result, then the name of the figure.
     case ARGP_KEY_ARG:
         if (arguments->result && arguments->name)
             bad_argument(state, "takes a result and the name of a figure, '%s' is one too many", argument);

@@ -105,7 +105,7 @@ static error_t report_parse(int key, char *argument, struct argp_state *state) {
         return 0;
     case ARGP_KEY_ARG:
         return ARGP_ERR_UNKNOWN; // taken together by ARGP_KEY_ARGS
-    // The results, and the folder of the report.
+    // Take the results, and the folder of the report.
     case ARGP_KEY_ARGS:
         arguments->results = state->argv + state->next;
         arguments->count = (size_t)(state->argc - state->next);

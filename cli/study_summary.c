@@ -36,7 +36,7 @@ void summarize_study(const whirl_study *study) {
         const size_t copies = batch->starts > 1 ? batch->starts : batch->carry == WHIRL_CARRY_BOTH ? 2 : 1;
         const double points = (double)batch->count * (double)copies;
         const double revolutions = (double)batch->record.transient + batch->record.record;
-        // The parameters, and the number of points.
+        // Print the parameters and the number of points.
         printf("  %s", batch->name);
         if (batch->parameter[0]) printf(" of %s", batch->parameter);
         if (*batch->second && batch->row > 0) printf("%s%s", batch->plane > 0 ? ", " : " and ", batch->second);
@@ -63,7 +63,7 @@ void summarize_study(const whirl_study *study) {
         else
             printf(": %s%.0f point%s, %.0f revolution%s each", batch->refine > 0 ? "at most " : "", points,
                    plural(points), revolutions, plural(revolutions));
-        // The method.
+        // Print the method.
         if (strcmp(name, "auto") == 0) { // the method is not chosen yet
             printf(" by auto%s\n", batch->confirm ? ", confirmed" : "");
             continue;

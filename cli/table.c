@@ -58,7 +58,7 @@ static error_t table_parse(int key, char *argument, struct argp_state *state) {
     case KEY_FORCE:
         arguments->force = true;
         return 0;
-    // The result, then the name of the sheet.
+    // Take the result, then the name of the sheet.
     case ARGP_KEY_ARG:
         if (arguments->result && arguments->sheet)
             bad_argument(state, "takes a result and the name of a sheet, '%s' is one too many", argument);

@@ -1,10 +1,10 @@
-# The facts of the build that src/base/build.c tells: compiler, flags and libraries when configuring, the git revision and
-# a hash of the sources at every build. To be included after whirl_layer(base), when the compile options are set.
+# The facts of the build that src/base/build.c reports: compiler, flags and libraries when configuring, the git revision
+# and a hash of the sources at every build. Included after whirl_layer(base), when the compile options are set.
 #   cmake -DSOURCE=<folder> -DHEADER=<file> -P cmake/build_info.cmake    writes the two (what the build runs)
 
 if(CMAKE_SCRIPT_MODE_FILE)
   cmake_minimum_required(VERSION 3.25)
-  # A SHA-256 over the sums and names of files.
+  # Computes a SHA-256 over the sums and names of files.
   function(hash_of result)
     set(sums "")
     foreach(file ${ARGN})
@@ -24,14 +24,14 @@ if(CMAKE_SCRIPT_MODE_FILE)
       string(APPEND revision ", modified")
     endif()
   endif()
-  # Of all that is compiled into the library, and of the options that its kernels have of their own.
+  # Hash everything that is compiled into the library, and the options of its kernels.
   file(GLOB_RECURSE files RELATIVE ${SOURCE} ${SOURCE}/src/*.c ${SOURCE}/src/*.cc ${SOURCE}/src/*.h ${SOURCE}/src/*.inc ${SOURCE}/include/*.h)
   list(APPEND files cmake/layers.cmake cmake/whirlKernels.cmake)
   list(SORT files)
   hash_of(sources ${files})
   list(FILTER files INCLUDE REGEX "^src/rotor/pads/(pad_tables|reynolds|table|table_file)[.][ch]$")
   hash_of(film_sources ${files})
-  # Rewritten only when it changes, so that nothing is compiled again for nothing.
+  # Rewritten only when it changes, so that nothing is compiled again without need.
   file(CONFIGURE OUTPUT ${HEADER} CONTENT "#define BUILD_REVISION \"@revision@\"\n#define BUILD_SOURCES \"@sources@\"\n#define BUILD_FILM_SOURCES \"@film_sources@\"\n" @ONLY)
   return()
 endif()

@@ -1,4 +1,5 @@
-# ccache, where it is installed: what another tree of these sources has compiled with the same options is taken from it.
+# ccache, where it is installed: objects that another tree of these sources has compiled with the same options are
+# reused.
 find_program(CCACHE ccache)
 if(CCACHE)
   foreach(language C CXX)

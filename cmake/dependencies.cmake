@@ -24,10 +24,10 @@ endfunction()
 
 whirl_find_library(SUNDIALS::CVODES cvodes/cvodes.h sundials_cvodes sundials_nvecserial sundials_sunlinsoldense
                    sundials_sunmatrixdense sundials_sunnonlinsolnewton sundials_sunnonlinsolfixedpoint sundials_generic)
-# Headers alone, which keep to no warnings of ours.
+# Eigen is headers alone. As system headers they give no warnings.
 add_library(Eigen::Headers INTERFACE IMPORTED)
 target_include_directories(Eigen::Headers SYSTEM INTERFACE ${EIGEN_INCLUDE_DIRS})
-# pkg-config names the compiled library; the headers do without.
+# toml++ is used as headers alone; pkg-config would name its compiled library.
 find_path(TOML_HEADERS toml++/toml.h REQUIRED)
 add_library(Toml::Headers INTERFACE IMPORTED)
 target_include_directories(Toml::Headers SYSTEM INTERFACE ${TOML_HEADERS})

@@ -1,13 +1,13 @@
-# What libwhirl.so exports, from the headers themselves: the functions of the stable headers, include/whirl/*.h, have the
-# version WHIRL_<ABI>, all others (include/whirl/engine) that of the minor version, for a program that was compiled with its headers and would be
-# met by another one is refused by the dynamic linker instead (docs/abi.md). Nothing else is seen from outside.
+# The exports of libwhirl.so, read from the headers. Functions of the stable headers, include/whirl/*.h, have the
+# version WHIRL_<ABI>. All others (include/whirl/engine) have that of the minor version: the dynamic linker refuses a
+# program that was compiled with other headers (docs/abi.md). No other symbol is visible from outside.
 
 # Appends the names of the functions that a header declares.
 function(whirl_declared header names)
   file(READ ${header} text)
   string(REGEX REPLACE "//[^\n]*|typedef[^\n]*|static inline[^\n]*" "" text "${text}")
   string(REGEX MATCHALL "whirl_[a-z0-9_]+\\(" found "${text}")
-  # What custom elements call has short names in the sources.
+  # Functions that custom elements call have short names in the sources.
   string(REGEX MATCHALL "#define [a-z_]+ whirl_[a-z_]+\n" renamed "${text}")
   string(REGEX REPLACE "#define [a-z_]+ |\n" "" renamed "${renamed}")
   string(REPLACE "(" "" found "${found}")

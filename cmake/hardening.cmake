@@ -1,8 +1,9 @@
-# What Debian builds its packages with (dpkg-buildflags, hardening=+all), and no way to libraries but the system's own.
+# The flags with which Debian builds its packages (dpkg-buildflags, hardening=+all), and run paths for system libraries
+# only.
 
-# An empty or relative entry of the run path would be the folder in which a user calls whirl. CMake pads the run paths of
-# builds with empty entries, where it means to rewrite them when installing; so they are from the first what is installed:
-# none, for the dynamic linker knows where its libraries are, or what CMAKE_INSTALL_RPATH says.
+# An empty or relative entry of the run path would be the folder in which a user calls whirl. CMake pads the run paths
+# of builds with empty entries, to rewrite them at installation. So builds have from the first the run path of an
+# installation: none, or CMAKE_INSTALL_RPATH. The dynamic linker finds the system's libraries by itself.
 set(CMAKE_BUILD_WITH_INSTALL_RPATH ON)
 
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)

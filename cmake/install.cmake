@@ -11,7 +11,7 @@ install(TARGETS whirl_shared EXPORT whirlTargets LIBRARY DESTINATION ${CMAKE_INS
 install(TARGETS whirl_static ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(DIRECTORY include/whirl ${PROJECT_BINARY_DIR}/include/whirl DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
         FILES_MATCHING PATTERN "*.h")
-# What a custom element is written with: these headers and whirl_element() of whirlKernels.cmake.
+# Headers for custom elements, which whirl_element() of whirlKernels.cmake compiles.
 install(FILES src/base/vector.h src/base/elementary.h src/base/words/keys.h src/rotor/assembly.h src/rotor/block.h
               src/rotor/body.h src/rotor/coupling.h src/rotor/drive.h src/rotor/element.h src/rotor/generic.h src/rotor/numbers.h
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/whirl/element)
@@ -45,7 +45,7 @@ list(APPEND WHIRL_STATIC_OPTIONS ${OpenMP_C_FLAGS} -lstdc++ -lm)
 string(JOIN " " WHIRL_PC_MODULES ${WHIRL_STATIC_MODULES})
 string(JOIN " " WHIRL_PC_OPTIONS ${WHIRL_STATIC_OPTIONS})
 
-# From the folder of libraries up to the prefix, so that an installed tree can be moved.
+# Path from the folder of libraries up to the prefix: a relative one, so that an installed tree can be moved.
 string(REGEX REPLACE "[^/]+" ".." WHIRL_PC_PREFIX ${CMAKE_INSTALL_LIBDIR})
 configure_file(cmake/whirl.pc.in whirl.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/whirl.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

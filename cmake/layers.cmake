@@ -1,8 +1,8 @@
-# A layer: all of src/<name>, and of the rooms in it, as an object library that sees the public headers and its own folder
-# only.
+# A layer: all of src/<name> and its rooms (cmake/rooms.cmake), as an object library that sees only the public headers
+# and its own folder.
 #   whirl_layer(<name> NEEDS <layers below> LIBRARIES <imported targets>)
-# What lies in its folder kernels and in the rooms of its folder elements is compiled once for every instruction set (whirlKernels.cmake); the
-# processor is asked when the program runs.
+# Files in its folder `kernels` and in the folders inside `elements` are compiled once for every instruction set
+# (whirlKernels.cmake); the processor is asked when the program runs.
 set_property(GLOBAL PROPERTY WHIRL_LAYERS "")
 
 include(cmake/exports.cmake)
@@ -36,7 +36,7 @@ function(whirl_layer name)
       target_link_libraries(whirl_${name} PRIVATE ${library})
     endforeach()
   endif()
-  # The closure of the layers below and the libraries they need, for tests of one layer.
+  # Collect the layers below and the libraries they need, for tests of one layer.
   set(closure ${name})
   set(libraries ${LAYER_LIBRARIES})
   foreach(below ${LAYER_NEEDS})
@@ -51,7 +51,7 @@ function(whirl_layer name)
   list(REMOVE_DUPLICATES libraries)
   set_target_properties(whirl_${name} PROPERTIES WHIRL_CLOSURE "${closure}" WHIRL_LINKS "${libraries}")
   set_property(GLOBAL APPEND PROPERTY WHIRL_LAYERS ${name})
-  # The kernels as they stand, never built: compile_commands.json tells clang-tidy and editors how to read them.
+  # The kernels' own sources, never built: compile_commands.json shows clang-tidy and editors how to read them.
   if(kernels)
     add_library(whirl_${name}_kernels OBJECT EXCLUDE_FROM_ALL ${kernels})
     get_target_property(includes whirl_${name} INCLUDE_DIRECTORIES)
@@ -59,7 +59,7 @@ function(whirl_layer name)
   endif()
 endfunction()
 
-# Eigen's part of another build.
+# The object of Eigen's part, taken from another build.
 set(matrix_object "")
 if(WHIRL_OTHER)
   set(matrix_object ${WHIRL_OTHER}/CMakeFiles/whirl_base.dir/src/base/numerics/matrix.cc.o)

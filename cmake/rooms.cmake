@@ -1,4 +1,5 @@
-# A layer's folder and the rooms in it, which are its folders but those of kernels:  whirl_rooms(<folder> <variable>)
+# Lists a layer's rooms: its folder, and the folders in it except `kernels` and `elements`.
+#   whirl_rooms(<folder> <variable>)
 function(whirl_rooms folder out)
   file(GLOB inside LIST_DIRECTORIES ON CONFIGURE_DEPENDS ${folder}/*)
   set(rooms ${folder})

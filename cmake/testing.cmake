@@ -15,9 +15,10 @@ foreach(line ${lines})
   list(APPEND named_tests ${CMAKE_MATCH_1})
 endforeach()
 
-# Adds a test. The clock ends what hangs, and nothing else.
+# Adds a test. Its time limit only ends tests that hang.
 #   whirl_test(<name> COMMAND <command...> [LABEL <label>] [SKIPS] [ENVIRONMENT <name=value...>])
-# SKIPS: exit status 77 says that something is missing here. Those that tests/long.txt names have the label "long", too.
+# SKIPS: exit status 77 means that something is missing here. Tests that tests/long.txt names have the label "long",
+# too.
 function(whirl_test name)
   cmake_parse_arguments(TEST "SKIPS" "LABEL" "COMMAND;ENVIRONMENT" ${ARGN})
   set(labels ${TEST_LABEL})
@@ -28,7 +29,7 @@ function(whirl_test name)
     list(APPEND TEST_ENVIRONMENT WHIRL_SANITIZED=1)
   endif()
   add_test(NAME ${name} COMMAND ${TEST_COMMAND})
-  # Threads of BLAS that wait would take the time of others.
+  # Threads of OpenBLAS and OpenMP must not spin while they wait: that would take processor time from other tests.
   list(APPEND TEST_ENVIRONMENT OPENBLAS_NUM_THREADS=1 OMP_WAIT_POLICY=passive
        LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/leaks.txt:print_suppressions=0)
   set_tests_properties(${name} PROPERTIES LABELS "${labels}" TIMEOUT 1800 ENVIRONMENT "${TEST_ENVIRONMENT}")
@@ -41,8 +42,8 @@ function(whirl_test name)
   endif()
 endfunction()
 
-# One program of several files of tests, each with a main of its own, and each a test <label>.<file>; or, where
-# tests/long.txt names <label>.<file>.<test>, each of its tests one of that name.
+# Makes one program of several test files, each of which has its own main. A file is the test <label>.<file>. If
+# tests/long.txt names <label>.<file>.<test>, each test of that file becomes a test of its own.
 #   whirl_test_program(<program> <label> <file...>)
 function(whirl_test_program program label)
   string(REGEX REPLACE "[.].*" "" kind ${label})
@@ -80,6 +81,6 @@ const test_file test_files[] = {\n${lines}};
 const size_t test_file_count = sizeof test_files / sizeof *test_files;\n" @ONLY)
   add_executable(${program} ${ARGN} ${table} ${PROJECT_SOURCE_DIR}/tests/runner.c)
   target_include_directories(${program} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-  # What they test is optimized; compiling them takes longer than running them.
+  # The code under test is optimized; compiling the tests takes longer than running them.
   target_compile_options(${program} PRIVATE -O1 $<$<BOOL:${WHIRL_FUZZ}>:-fno-sanitize=fuzzer-no-link>)
 endfunction()

@@ -1,9 +1,9 @@
-# Sources that are compiled once for every instruction set, with VECTOR_ISA its number (vector.h): the library's kernels
-# and the elements of its users.
+# Sources that are compiled once for every instruction set, with VECTOR_ISA set to its number (vector.h): the library's
+# kernels and the elements of its users.
 
-# Name, number, options. Kernels of 512 bits are scheduled for the first processors that have them at full speed: worth
-# 3 percent. Where gcc 12 makes vectors of pairs of numbers, it fuses c a - s b beside s a + c b, whatever -ffp-contract
-# says.
+# Name, number, options. Kernels of 512 bits are scheduled for the first processors that run them at full speed: that
+# gains 3 percent. -fno-tree-slp-vectorize: if gcc 12 makes vectors of pairs of numbers, it fuses c a - s b next to
+# s a + c b in spite of -ffp-contract=off.
 set(WHIRL_ISAS "scalar 0" "128 1")
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT WHIRL_PORTABLE)
   set(wide "fma 2 -mfma -fno-tree-slp-vectorize" "avx2 3 -mavx2 -mfma" "avx512 4 -mavx512f -mfma -mtune=icelake-server")
@@ -18,19 +18,19 @@ endif()
 # Every product is rounded where it is written (no contraction), so that compilers and widths agree to the bit.
 set(WHIRL_ROUNDING -ffp-contract=off -fno-math-errno -fno-trapping-math)
 
-# The address sanitizer tells of wrong addresses where they are used; to ask for every one beforehand as well makes of a
-# kernel, all of whose loops are written out, some five times as much to compile, and so does it to unroll what is asked.
+# The address sanitizer finds wrong addresses when they are used. All loops of a kernel are written out: checking every
+# pointer beforehand as well makes it take some five times as long to compile, and so does unrolling on request.
 set(WHIRL_SANITIZED_KERNELS "")
 if(WHIRL_SANITIZE MATCHES address AND WHIRL_SANITIZE MATCHES undefined)
   set(WHIRL_SANITIZED_KERNELS -O1 -fno-sanitize=pointer-overflow,null,object-size)
 endif()
-# Fuzzers look for new ways through what reads files.
+# Fuzzers search new paths through readers of files, not through kernels.
 if(WHIRL_FUZZ)
   list(APPEND WHIRL_SANITIZED_KERNELS -fno-sanitize=fuzzer-no-link)
 endif()
 
-# Writes for every instruction set a file into `folder` that includes `source`, and adds them to the list `result`. What is
-# compiled must find `source` by its place in `root`: paths that say where a tree lies would keep compilers' caches from
+# Writes for every instruction set a file into `folder` that includes `source`, and adds these files to the list
+# `result`. The compiler finds `source` by its place in `root`: an absolute path would keep compilers' caches from
 # serving several trees.
 function(whirl_kernel source root folder result)
   get_filename_component(stem ${source} NAME_WE)

@@ -4,10 +4,10 @@
     scripts/compare-results.py OLD/whirl NEW/whirl [CASE.yaml ...] [--points N] [--keep FOLDER]
 
 Each case runs with at most N points a parameter (5) and short records, by both programs, each in a folder of its own.
-Compared are the summary (`show`), the JSON of the result (`show --json`), statements and sheets (`table`, where both
-have it), and the pages of the report. Texts are compared line by line with their numbers taken out, numbers by
-themselves to 1e-9: a line is written for every difference, with the file, the words before it and both numbers. Exit
-status 1 where there is any. A sheet, key or line that one of both has alone is a difference, too.
+It compares the summary (`show`), the JSON of the result (`show --json`), statements and sheets (`table`, where both
+have it), and the pages of the report. Texts are compared line by line without their numbers, and numbers to 1e-9. It
+writes a line for every difference, with the file, the words before it and both numbers. A sheet, key or line that only
+one program gives is a difference, too. The exit status is 1 if there is any difference.
 """
 import argparse
 import html
@@ -31,7 +31,7 @@ NOISE = re.compile(
 
 
 def shortened(text, points):
-    """A case of few points with short records, which says the same of the machine."""
+    """A case of few points with short records, of the same machine."""
     text = re.sub(r"points: (\d+)", lambda m: f"points: {min(int(m[1]), points)}", text)
     text = re.sub(r"transient: (\d+)", lambda m: f"transient: {min(int(m[1]), 20)}", text)
     text = re.sub(r"(record|waveform): (\d+)", lambda m: f"{m[1]}: {min(int(m[2]), 16)}", text)

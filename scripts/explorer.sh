@@ -4,7 +4,8 @@
 #   scripts/explorer.sh [--if-possible] OUT
 #
 # OUT/whirl.wasm, OUT/worker.js, OUT/template.html. Needs emscripten, node with npm, and the sources of libyaml and
-# muParser, which come from Debian once. Where something is missing it says so in one line and fails; with --if-possible it does not fail.
+# muParser, which are fetched from Debian once. If something is missing it says so in one line and fails; with
+# --if-possible it does not fail.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """The names of the fields of results in all languages:  scripts/fields.py [--check]
 
-include/whirl/engine/fields.h says them; Python, Octave and the explorer have the files that are written here. With --check nothing
-is written: fails where a file is not what it would be, and for every literal of a field's name anywhere else.
+include/whirl/engine/fields.h defines them; this writes the files for Python, Octave and the explorer. With --check it
+writes nothing: it fails if a file is out of date, and for every literal name of a field anywhere else.
 """
 
 import io

@@ -8,9 +8,9 @@ times a complex ratio R, a function of p = e cos a and beta = atan(e sin a/sqrt(
 and the direction a of (A, B) against the journal's, and of L/D (docs/theory.md). This finds R from Reynolds' equation
 and fits to it by least squares (N(p, b) + i M(p, b))/(1 + d_p p^2 + d_b b^2), b = 2 beta/pi, at Chebyshev places of
 s = r/(SHIFT + r), r = L/D, over which d_p, d_b and the polynomials' coefficients times 1 + r^2 are then polynomials. The
-denominator, found with the polynomials by fits whose weights are those of the one before (Sanathanan, Koerner 1963),
-takes the place of three degrees of them. The slope by the direction where that is the journal's is fitted, too:
-stiffness and damping at rest hang on it. Takes half a minute.
+denominator saves three degrees of the polynomials. It is found together with them by repeated fits, each weighted by
+the denominator of the fit before (Sanathanan, Koerner 1963). The slope of R by the direction a is fitted, too, at a = 0:
+stiffness and damping at rest depend on it. Takes half a minute.
 """
 
 import numpy as np
@@ -20,13 +20,13 @@ from scipy.linalg import eigh, solveh_banded
 MIN_RATIO, MAX_RATIO, SHIFT, PLACES = 0.1, 2.0, 0.6, 11  # of L/D
 IN_P, IN_B = 15, 13  # degrees: of p^i b^j those with i/IN_P + j/IN_B <= 1
 DENOMINATOR, DENOMINATOR_TERMS = [(2, 0), (0, 2)], 6  # powers of p and b; terms over s, few, for smoothness
-AT_REST, STEP = 0.3, 1e-3  # the weight of slopes by the direction at rest, and the half difference that they are of
+AT_REST, STEP = 0.3, 1e-3  # weight of slopes by the direction at rest; directions at which they are differenced
 # Weights of relative errors at eccentricity ratios, by straight lines of their logarithms over sqrt(1 - e^2).
 WEIGHTS = {0.0: 1.0, 0.9: 1.0, 0.95: 0.3, 0.97: 0.03, 0.987: 0.003}
 
 
 def axial_modes(count, points):
-    """Shapes of the pressure along z = -1 to 1 with which its equation falls apart: eigenvalues, loads, values."""
+    """Shapes of the pressure along z = -1 to 1 that separate Reynolds' equation: eigenvalues, loads, values."""
     z, weight = legendre.leggauss(points)
     series = np.zeros((count, 2 * count + 1))
     for n in range(count):
@@ -61,8 +61,8 @@ def pressures(e, length, modes, terms):
 
 
 def finite_force(e, length, angles, axial=10):
-    """f_x + i f_y of a journal at (e, 0) for (A, B) = (cos a, sin a), in mu omega R L (R/c)^2. The zeros of the pressure
-    at every z bound what counts, whose integral is that of its Fourier series."""
+    """f_x + i f_y of a journal at (e, 0) for (A, B) = (cos a, sin a), in mu omega R L (R/c)^2. At every z the
+    positive part of the pressure counts; its Fourier series is integrated between its zeros."""
     modes = axial_modes(axial, 2 * axial)
     terms = int(max(48, 30.0 / np.sqrt(1.0 - e**2)))
     sines, cosines = pressures(e, length, modes, terms)
@@ -92,7 +92,8 @@ def finite_force(e, length, angles, axial=10):
 
 
 def short_force(e, angles):
-    """That of the short film in (L/D)^2 of that unit (Capone 1991; src/rotor/elements/films/film_kernel.h)."""
+    """f_x + i f_y of the short film, in (L/D)^2 times the unit of finite_force (Capone 1991;
+    src/rotor/elements/films/film_kernel.h)."""
     A, B, q = np.cos(angles), np.sin(angles), 1.0 - e**2
     P, U, W = e * B, e * A, np.sqrt(q)
     angle, E = 0.5 * np.pi + np.arctan2(P, W), U * W / (W**2 + P**2)
@@ -101,7 +102,7 @@ def short_force(e, angles):
 
 
 def powers(parity):
-    """(i, j) of p^i b^j, the even ones of p or the odd ones, in the order of the table."""
+    """(i, j) of p^i b^j, for even (0) or odd (1) i, in the order of the table."""
     return [(i, j) for i in range(parity, IN_P + 1, 2) for j in range(IN_B * (IN_P - i) // IN_P + 1)]
 
 
@@ -111,7 +112,7 @@ def polynomials(p, b, parity):
 
 
 def monomials(parity, coefficients):
-    """Those of T_i(p) T_j(b) as those of p^i b^j."""
+    """Converts coefficients of T_i(p) T_j(b) to those of p^i b^j."""
     square = np.zeros((IN_P + 1, IN_B + 1, coefficients.shape[1]))
     for (i, j), row in zip(powers(parity), coefficients):
         p, b = chebyshev.cheb2poly(np.eye(i + 1)[i]), chebyshev.cheb2poly(np.eye(j + 1)[j])
@@ -124,7 +125,7 @@ def denominator(by, p, b):
 
 
 def best_denominator(p, b, ratio, weight):
-    """Its coefficients for one L/D."""
+    """Coefficients of the denominator for one L/D."""
     even, odd = (polynomials(p, b, parity) for parity in (0, 1))
     free = np.array([p**i * b**j for i, j in DENOMINATOR]).T
     found = np.zeros(free.shape[1])
@@ -140,7 +141,7 @@ def best_denominator(p, b, ratio, weight):
 
 
 def place_of(r):
-    """x from -1 to 1 over s."""
+    """The variable of the Chebyshev series over s, -1 to 1, at L/D = r."""
     ends = [one / (SHIFT + one) for one in (MIN_RATIO, MAX_RATIO)]
     return (2.0 * r / (SHIFT + r) - ends[0] - ends[1]) / (ends[1] - ends[0])
 
@@ -150,12 +151,12 @@ def coordinates(e, a):
 
 
 def slope_of(values):
-    """By the direction, from values at -STEP and STEP."""
+    """The slope by the direction, from values at -STEP and STEP."""
     return (values[1] - values[0]) / (2.0 * STEP)
 
 
 def fit():
-    """[coefficient, Chebyshev term over s] of the real part, of the imaginary one, and of the denominator."""
+    """Coefficients [coefficient, Chebyshev term over s] of the real part, the imaginary part and the denominator."""
     end = list(WEIGHTS)[-1]
     radii = end * np.sin(0.5 * np.pi * (np.arange(34) + 0.5) / 34)
     angles = np.pi * ((np.arange(32) + 0.5) / 32 - 0.5)  # the other half is its mirror image
@@ -188,7 +189,7 @@ def fit():
 
 
 def ratio_of(table, e, r, angles):
-    """R + i I as the program has it."""
+    """The complex ratio of the table, as the program computes it."""
     p, b = coordinates(e, angles)
     sums = []
     for parity in (0, 1):
@@ -198,7 +199,7 @@ def ratio_of(table, e, r, angles):
 
 
 def errors(table, r):
-    """The largest of the force, over the force, up to e = .9 and from there to .95."""
+    """Largest relative errors of the force, up to e = .9 and from there to .95."""
     angles, worst = np.pi * (np.arange(49) / 48 - 0.5), []
     for places in (np.linspace(0.05, 0.9, 18), np.linspace(0.91, 0.95, 5)):
         exact = [finite_force(e, r, angles, 12) / short_force(e, angles) / r**2 for e in places]

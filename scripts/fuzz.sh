@@ -1,6 +1,7 @@
 #!/bin/bash
 # Fuzzes everything that reads a file of the user's, all targets at once:  scripts/fuzz.sh BUILD SECONDS
-# What is found on the way stays in BUILD/corpus, what made a target fail in BUILD/findings; the working tree stays as it is.
+# Inputs found on the way stay in BUILD/corpus; inputs that made a target fail are in BUILD/findings. The working tree
+# stays as it is.
 set -euo pipefail
 build=$(realpath "$1")
 seconds=$2

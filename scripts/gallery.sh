@@ -12,7 +12,7 @@ mkdir -p "$work"
 page() { # NAME RESULT...
     local name=$1
     shift
-    # Only the page is wanted: the exit status tells that no figures were drawn.
+    # Only the page is wanted: the exit status is an error because no figures were drawn.
     "$build/whirl" report "$@" -o "$work/$name" -q --gnuplot true --explorer "$build/explorer/template.html" \
         2>/dev/null || [ -f "$work/$name/explorer.html" ]
     mv "$work/$name/explorer.html" "$work/$name.html"
@@ -42,6 +42,6 @@ for name in paper paper-derived paper-literal jeffcott-rub rigid-rotor overhung-
 done
 linear overhung-rotor 'parameter: omega, from: 500 rpm, to: 9000 rpm, points: 171'
 linear compressor 'parameter: speed, from: 300 rpm, to: 12000 rpm, points: 391'
-# The balls carry the weight from near here on: in their clearance the machine finds no rest.
+# Searches for rest begin near where the balls carry the weight: inside their clearance the machine has no equilibrium.
 linear spindle 'parameter: speed, from: 1000 rpm, to: 15000 rpm, points: 281' \
     'pulley: {y: -8}, rear: {y: -6}, front: {y: -6}, wheel: {y: -8}'

@@ -19,7 +19,7 @@ declare -A packages=(
     [python]="python3-cffi python3-numpy python3-h5py python3-matplotlib python3-pandas python3-xarray python3-tqdm
               python3-pip python3-setuptools python3-wheel python3-pytest python3-numba"
     # clang with its run time: the fuzz target, and a second compiler that must agree; libomp-dev is its OpenMP.
-    # auto-07p, which needs gfortran, is a program that is run beside the tests and never linked.
+    # auto-07p, which needs gfortran, is a program with which tests compare; it is never linked.
     [test]="libcmocka-dev liblapacke-dev libopenblas-dev clang libclang-rt-14-dev lld libomp-dev valgrind
             python3-h5py python3-jsonschema python3-scipy python3-sklearn auto-07p gfortran libopenmpi-dev openmpi-bin"
     # dpkg-dev unpacks the sources of libyaml and muParser, which emscripten compiles.
@@ -33,7 +33,7 @@ declare -A packages=(
     [lint]="clang-format clang-tidy cppcheck nodejs npm black"
     # What `make packages` builds Debian packages with; mmdebstrap makes the fresh system in which they are tried.
     [package]="debhelper dh-python dpkg-dev lintian mmdebstrap"
-    # The programs that are measured beside whirl; none of them is needed for whirl itself.
+    # The programs whose speed is compared with whirl's; whirl itself needs none of them.
     [bench]="libgsl-dev libboost-dev octave python3 python3-numba python3-scipy"
 )
 
@@ -59,7 +59,7 @@ if [ ${#wanted[@]} -eq 0 ]; then
 fi
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
-    # Another system: whoever works there has the libraries under other names, and CMake says which it does not find.
+    # On another system the libraries have other names; CMake names those that it does not find.
     say "this is not a Debian system, so nothing is installed here; whirl needs what Debian 12 calls: ${wanted[*]}"
     exit 0
 fi
@@ -73,7 +73,7 @@ fi
 
 missing=()
 # shellcheck disable=SC2016 # ${Package} is dpkg-query's, not the shell's.
-# It fails where it has never heard of a package, which is no reason to stop.
+# dpkg-query fails for a package that it has never heard of; that package is missing, which is no error here.
 installed=" $({ dpkg-query -W -f '${db:Status-Status} ${Package}\n' "${wanted[@]}" 2>/dev/null || true; } |
     sed -n 's/^installed //p' | tr '\n' ' ') "
 for name in "${wanted[@]}"; do
@@ -103,7 +103,7 @@ apt() { "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o Acquire::R
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
 say "installing ${#missing[@]} packages and what they need with apt-get; this can take minutes"
-# The package lists of a fresh system are empty, and those of an old one name files that are gone.
+# The package lists of a fresh system are empty, and those of an old one name files that no longer exist.
 if ! { apt update -qq && apt install -y -qq --no-install-recommends -o Dpkg::Use-Pty=0 "${missing[@]}"; } >"$log" 2>&1; then
     tail -n 30 "$log" >&2
     say "apt-get could not install them; what it said is above"

@@ -11,11 +11,11 @@ files 'explorer/*.ts' 'explorer/*.mjs' | xargs explorer/node_modules/.bin/pretti
 black --quiet --check bindings/python
 scripts/long-lines.sh
 
-# Tests loop over doubles and call the shell, as the product must not.
+# Only the product is linted: tests loop over doubles and call the shell, which these checks forbid.
 mapfile -t units < <(printf '%s\n' "${sources[@]}" | grep -E '^(cli|src|examples)/.*\.cc?$|^explorer/core/[^nu][^/]*\.c$')
 tidy=(clang-tidy --quiet --warnings-as-errors='*')
 printf '%s\n' "${units[@]}" | grep -v '^explorer/' | xargs -P "$(nproc)" -n 4 "${tidy[@]}" -p "$build"
-# The build does not compile the explorer's core, so it cannot say how.
+# The build does not compile the explorer's core, so its compile commands are given here.
 printf '%s\n' "${units[@]}" | grep '^explorer/' |
     xargs -P "$(nproc)" -n 4 sh -c '"$@" -- -std=c17 -I include -I src/include -I "$0/include" -I src/study/kinds' "$build" "${tidy[@]}"
 checks=(--quiet --enable=warning,performance,portability --inline-suppr --error-exitcode=1 --suppress=unmatchedSuppression)

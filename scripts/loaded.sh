@@ -1,7 +1,7 @@
 #!/bin/bash
-# The tests of a build beside other work:  scripts/loaded.sh BUILD RUNS [LOOPS]
-# Runs them so many times, the long ones too, with four busy loops beside them. A test that hangs on the clock or on luck
-# fails here; each run prints its failures, and the status says whether there were any.
+# Runs the tests of a build on a loaded computer:  scripts/loaded.sh BUILD RUNS [LOOPS]
+# All tests, long ones too, run RUNS times while LOOPS (4) busy loops run. A test that depends on the clock or on luck
+# fails here. Each run prints its failures; the exit status is 1 if there were any.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 build=$1 runs=$2 loops=${3:-4}

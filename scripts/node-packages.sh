@@ -1,5 +1,5 @@
 #!/bin/bash
-# Fetches the explorer's node packages (explorer/package-lock.json) where they are missing or others.
+# Fetches the explorer's node packages (explorer/package-lock.json) if they are missing or outdated.
 set -euo pipefail
 cd "$(dirname "$0")/../explorer"
 have=node_modules/.package-lock.json

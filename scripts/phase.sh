@@ -1,5 +1,5 @@
 #!/bin/bash
-# What a proof of the project takes, phase by phase:
+# Runs the phases of a proof of the project, and shows the time that each took:
 #
 #   scripts/phase.sh --begin            forgets earlier phases
 #   scripts/phase.sh NAME COMMAND...    runs the command and notes what it took; where it fails, the table follows

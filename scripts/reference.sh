@@ -1,7 +1,7 @@
 #!/bin/bash
-# Writes the reference of elements and keys from what the program says of itself:  scripts/reference.sh [WHIRL [FILE]]
+# Writes the reference of elements and keys from the output of `whirl describe`:  scripts/reference.sh [WHIRL [FILE]]
 #
-# WHIRL is the command (build/whirl), FILE what is written (docs/reference/keys.md).
+# WHIRL is the command (build/whirl), FILE the page that is written (docs/reference/keys.md).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 whirl=${1:-build/whirl}
@@ -9,7 +9,7 @@ file=${2:-docs/reference/keys.md}
 
 overview=$(COLUMNS=1000 "$whirl" describe)
 
-# The parts with what belongs to them, as links.
+# Lists the parts and the names in each, as links.
 list_parts() {
     while IFS= read -r line; do
         case $line in

@@ -3,9 +3,10 @@
 #
 #   scripts/targets-check.sh [TARGET...]
 #
-# Without names all that bring something about: the command, explorer, gallery, documents, benchmarks, installation, packages
-# and the paper. Clones HEAD. Needs root, mmdebstrap and a mirror ($MIRROR, else Debian's); certificates that npm is told of
-# by $NODE_EXTRA_CA_CERTS are there, too. A log of each is in build/targets. Minutes each, so it is no part of any test.
+# Without names it tries the targets that make something: the command, explorer, gallery, documents, benchmarks,
+# installation, packages and the paper. Clones HEAD. Needs root, mmdebstrap and a mirror ($MIRROR, else Debian's).
+# Certificates that $NODE_EXTRA_CA_CERTS names for npm are copied there. A log of each target is in build/targets. Each
+# takes minutes, so this is no part of any test.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 targets=("$@")
@@ -26,7 +27,7 @@ make $1 $2"
 certificates=${NODE_EXTRA_CA_CERTS:-}
 failed=0
 for target in "${targets[@]}"; do
-    # Benchmarks that tell something take an hour; that they run is seen in minutes.
+    # Meaningful benchmarks take an hour; short ones show in minutes that they run.
     commands_of "$target" "$([ "$target" != bench ] || echo BENCH_OPTIONS=\"--rounds=1 --study-rounds=1 --seconds=0.05\")" \
         >"$out/$target.sh"
     begun=$SECONDS

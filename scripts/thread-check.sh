@@ -38,7 +38,7 @@ small cases/jeffcott-rub.yaml >"$folder/jeffcott-rub.yaml"
 small cases/rigid-rotor.yaml >"$folder/rigid-rotor.yaml"
 # Branches, whose two directions go on threads of their own.
 sed 's/to: 3.3, at: .*}/to: 1.7, at: [1.5], switches: 0}/' tests/cli/branch.yaml >"$folder/branch.yaml"
-# A machine at rest, whose points go on threads.
+# A machine at rest, whose points are computed on several threads.
 cp tests/cli/modes.yaml "$folder/modes.yaml"
 # Tori, one after the other on threads of their own.
 sed 's/rtol: [^,]*, /rtol: 1e-7, /; s/torus_accuracy: .*}/torus_accuracy: 1e-3, torus_points: 3}/' tests/cli/tori.yaml \

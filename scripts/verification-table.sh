@@ -1,12 +1,12 @@
 #!/bin/bash
 # Writes the tables of docs/verification-manual.md:  scripts/verification-table.sh BUILD [TEST...]
 #
-# Runs the validation tests of the build, all motions of the verdicts included, and says which test of how many is running.
-# With names (test_rub ...) only these run; of the others the logs of the last time are taken, from BUILD/verification, as
-# long as they are not older than the program. The logs have a line for every number compared,
+# Runs the validation tests of the build, all motions of the verdicts included, and shows which test of how many is
+# running. With names (test_rub ...) only these run; for the others the last logs in BUILD/verification are used, unless
+# they are older than the program. The logs have a line for every number compared,
 #     A3 | what | expected | obtained | difference | tolerance
-# and what stands between `<!-- table A3 -->` and `<!-- end -->` in the manual is replaced by the lines of A3. Where a test
-# fails, a log is not whole or lacks a row that the manual has, that is said and the manual stays as it is.
+# and the text between `<!-- table A3 -->` and `<!-- end -->` in the manual is replaced by the lines of A3. If a test
+# fails, or a log is incomplete or lacks a row of the manual, the script reports that and leaves the manual as it is.
 set -euo pipefail
 build=${1:-build}
 [ $# -eq 0 ] || shift
@@ -58,7 +58,7 @@ run_test() { # NAME LOG PLACE
     rm -f "$2.errors"
 }
 
-# Whole: as many tests were run as were begun with, and something was compared.
+# Checks that a log is complete: as many tests ended as began, and something was compared.
 check_log() { # NAME LOG
     local begun ended
     begun=$(sed -nE 's/^\[=+\].* ([0-9]+) test\(s\)\.$/\1/p' "$2" | head -1)

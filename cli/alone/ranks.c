@@ -3,7 +3,7 @@
 
 #include "cores.h"
 
-/// The numbers of ranks_add and its like, by their index.
+/// Numbers that ranks_add and its relatives change, by their index.
 static int64_t words[RANKS_WORDS];
 
 void ranks_begin(int *argc, char ***argv) {
