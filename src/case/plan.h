@@ -9,8 +9,8 @@
 #include "whirl/engine/study.h"
 
 #include <stddef.h>
-/// Reads the parts of `study:` that do not depend on values of parameters, and reports all their problems.
 
+/// Reads the parts of `study:` that do not depend on values of parameters, and reports all their problems.
 void plan_read_parts(case_reader *reader, const file_node *where, const machine_parts *machine, plan_parts *parts,
                      study_plan *result);
 

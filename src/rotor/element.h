@@ -147,8 +147,8 @@ typedef struct element_kernels {
     void (*contact)(const element *own, const struct block *b, void *force, void *friction);
 } element_kernels;
 
-/// Defines the table `kernels` of an element_type: the kernels of the file for every instruction set to which it is
-/// compiled.
+/// Defines the table `kernels` of an element_type: the kernels of the including file, one for every instruction set for
+/// which the file is compiled.
 #define KERNELS_OF_EVERY_ISA(name)                                                                                     \
     FOR_EVERY_ISA(const element_kernels, name);                                                                        \
     static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, name)
@@ -161,7 +161,7 @@ typedef struct whirl_element_type {
     size_t turning;                        ///< number of its states, from the first on, that are angles
     bool spun;                             ///< its force depends on the speed of its shaft
     bool kinked;                           ///< its force has kinks without a switch
-    const element_kernels *const *kernels; ///< [number of vector.h]; NULL: the element is part of the assembly only
+    const element_kernels *const *kernels; ///< [VECTOR_ISAS]; NULL: the element is part of the assembly only
     const struct whirl_element_type
         *variant; ///< type with other kernels and numbers to which `build` may set out->type
 
@@ -169,8 +169,8 @@ typedef struct whirl_element_type {
     whirl_status (*inertia)(const key_value *values, assembly *to);
 
     /// Sets the element's ports, law and numbers from values, or adds to the assembly. WHIRL_BAD_INPUT for
-    /// contradicting keys. It may set out->type to the type's variant, which has as many numbers, but other kernels and
-    /// states.
+    /// contradicting keys. It may set out->type to the type's variant, which has other kernels and may have more
+    /// numbers and other states.
     whirl_status (*build)(const key_value *values, assembly *to, element *out);
 
     /// Optional, for `switch_count(own)` switching functions: their derivatives by the displacements and velocities of
@@ -196,8 +196,8 @@ typedef struct whirl_element_type {
     /// restoring force or effect, which may stay. Returns false if there is no such balance (a wall is touched).
     bool (*settle)(const element *own, const double *q, double *states, bool *idle);
 
-    /// Optional: returns the index of a state that is only a clock, own->states if no state is. Linear analyses leave
-    /// it at its start.
+    /// Optional: returns the index of a state that is only a clock, own->states if no state is one. Linear analyses
+    /// leave the clock at its start.
     size_t (*clock)(const element *own);
 
     /// Optional: provides tables that the kernels read in addition to the element's numbers, until `release`. Gives up
@@ -218,7 +218,8 @@ typedef struct whirl_element_type {
     /// its turns if they repeat after half a turn). NULL: the effects never repeat after whole revolutions.
     double (*rounds)(const element *own, size_t state);
 
-    /// For switches: returns true if motions can slide along one (friction that jumps where the slip reverses).
+    /// For switches: returns true if motions can slide along a switch of the element (friction that jumps where the
+    /// slip reverses).
     bool (*slides)(const element *own);
 
     /// Optional, for switches: returns true if the element's force may jump at a switch.
@@ -231,7 +232,7 @@ typedef struct whirl_element_type {
     double (*contact_gap)(const element *own);
 
     /// Returns 1 if the element's friction takes power, which its contact's kernel reports; -1 if this power is unknown
-    /// for want of the radius; otherwise 0.
+    /// since the radius is not given; otherwise 0.
     int (*rubs)(const element *own);
 
     /// Optional, for elements that may join two twists: finds the load that the element carries in a state. The play of

@@ -149,6 +149,8 @@ typedef struct rotor_path {
     const element *element;
     const rigid_pair *pair;
 } rotor_path;
+
+/// Returns path `index`: links with a stiffness come first, then elements that carry torque, then rigid pairs.
 rotor_path rotor_path_at(const whirl_rotor *rotor, size_t index);
 
 /// Returns the station whose twist is that of an end of a link, or the number of stations for a node between stations.
@@ -178,14 +180,17 @@ void rotor_flow_with(const whirl_rotor *rotor, double *numbers, const double *fo
 void rotor_switches_with(const whirl_rotor *rotor, double *numbers, const double *x, double *values);
 void rotor_contacts_with(const whirl_rotor *rotor, double *numbers, const double *x, double *normal_force,
                          double *friction);
+
 /// Computes the torques of the fluid of an element (element_type.drag) on the shafts of its journal and housing, N m,
 /// in the sense of the rotation of the rotor's shaft (drag.c). speed: speed of the shaft, rad/s; numbers, x: of the
 /// machine at that speed, by the angle; spin: speeds of journal and housing in the same sense, rad/s.
 void rotor_drag_with(const whirl_rotor *rotor, const element *own, double *numbers, const double *x, double speed,
                      const double spin[2], double torque[2]);
+
 /// Computes the accelerations by one element alone, to the rows of its ports and states in view->a (kernels/machine.c).
 void machine_element_flow(const lanes_view *view, const element *own);
-/// Writes the derivatives of switch `index` by x, gradient [dimension].
+
+/// Writes the derivatives of switch `index` by x, gradient [dimension], with such numbers.
 void rotor_gradient_with(const whirl_rotor *rotor, double *numbers, const double *x, size_t index, double *gradient);
 
 /// Returns the rotor of a system, or NULL if the system is not a rotor's.

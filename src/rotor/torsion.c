@@ -460,13 +460,13 @@ whirl_status rotor_check_fatigue(const whirl_rotor *rotor) {
             if (own->by_stress && !(torsion_section(own, &path) > 0.0))
                 return whirl_fail(WHIRL_BAD_INPUT,
                                   "the diameter of the shaft from '%s' to '%s' is not known, and fatigue has "
-                                  "stress_ranges, expected a diameter of either",
+                                  "stress_ranges, expected the diameter of one of them",
                                   name[0], name[1]);
         }
         if (!found)
             return whirl_fail(WHIRL_BAD_INPUT,
                               "fatigue is between '%s' and '%s', and no single shaft, coupling or gear joins their "
-                              "twists, expected the stations next to each other that one joins, and one curve",
+                              "twists, expected two stations that one of these joins, and one curve for them",
                               name[0], name[1]);
     }
     return whirl_ok();

@@ -149,8 +149,8 @@ static whirl_status check_spin(const building *b, const design_element *own) {
             const size_t station = own->values[k].station[i];
             if (station == GROUND || b->assembly.stations[station].ratio == 1.0) continue;
             return whirl_fail(WHIRL_BAD_INPUT,
-                              "acts at station '%s' on a shaft of another speed, and its force goes with that of the "
-                              "rotor",
+                              "acts at station '%s' on a shaft of another speed, and its force depends on the "
+                              "rotor's speed",
                               b->assembly.stations[station].name);
         }
     }

@@ -86,9 +86,10 @@ void pads_release(const element *own);
 /// Returns the radius of the circle in which the journal moves, in length scales; 0 if the housing moves.
 double pads_clearance(const element *own);
 
-/// Writes the errors of its film tables.
+/// Implements element_type.note: writes the errors of the film tables.
 void pads_note(const element *own, double length, double clock, char *text, size_t size);
 
+/// Implements element_type.doubt for bearings with pads.
 void pads_doubt(const key_value *values, double speed, const doubt_teller *to);
 
 #endif

@@ -49,7 +49,7 @@ typedef struct pad_answer {
     double thinnest; ///< H, the least on the pad
 } pad_answer;
 
-/// Workspace of solutions, for films of any size up to that for which it was made.
+/// Workspace of solutions, for films with at most `around` by `along` volumes. WHIRL_NO_MEMORY.
 typedef struct pad_workspace pad_workspace;
 whirl_status pad_workspace_new(int around, int along, pad_workspace **out);
 void pad_workspace_free(pad_workspace *work);

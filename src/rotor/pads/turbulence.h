@@ -11,6 +11,7 @@ typedef struct turbulent_factors {
     double around, along;
 } turbulent_factors;
 
+/// Returns the divisors by a law at a Reynolds number.
 turbulent_factors turbulent_resistance(whirl_turbulence law, double reynolds);
 
 /// Returns the ratio of the shear of Couette flow to that of laminar flow, 1 + .0012 Re^.94 (Constantinescu, Galetuse

@@ -59,6 +59,7 @@ typedef struct piece_matrices {
     line_matrices twist, stretch;
 } piece_matrices;
 
+/// Computes all matrices of a piece.
 void piece_fill(const shaft_piece *piece, piece_matrices *out);
 
 /// Computes the displacement at a share `at` of its length from its left end, by one unit of each coordinate, in the
@@ -134,7 +135,7 @@ typedef struct shaft_settings {
     double modes_to; ///< highest frequency of kept modes, in place of their number, Hz; 0: not given
 } shaft_settings;
 
-/// Reads a material from its keys. WHIRL_BAD_INPUT if keys contradict each other.
+/// Read a material, and the settings of a shaft, from their keys. WHIRL_BAD_INPUT if keys contradict each other.
 whirl_status material_from(const key_value *values, material *out);
 whirl_status shaft_settings_from(const key_value *values, shaft_settings *out);
 

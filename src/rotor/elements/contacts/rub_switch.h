@@ -16,6 +16,7 @@ void radial_gradient(radial_form of, const double *q, const double *v, double *b
 void radial_curvature(radial_form of, const double *q, const double *v, const double *uq, const double *uv,
                       double *by_q, double *by_v);
 
+/// Implement element_type.switch_gradient and element_type.switch_curvature for rubs.
 void rub_switch_gradient(const element *own, const element_place *at, size_t index, element_place *by);
 void rub_switch_curvature(const element *own, const element_place *at, size_t index, const element_place *along,
                           element_place *by);
