@@ -158,10 +158,10 @@ size_t whirl_signals_frequencies(size_t window);
 whirl_status whirl_signals_spectrogram(const double *x, const double *y, size_t count, size_t window, size_t step,
                                        double *rows);
 
-/// Computes the share of the amplitude of a sinusoid that a Hann window of the duration T keeps if the frequency
-/// changes by `rate` per unit of time, read at its frequency in the middle: |int w e^(i pi rate t^2) dt|/int w dt, a
-/// function of `sweep`, rate T^2. For order k of a shaft the rate is k times that of the turns. WHIRL_BAD_INPUT for
-/// |sweep| above 1e6.
+/// Computes the share of a sinusoid's amplitude that remains in the spectrum of a Hann window w of the duration T, at
+/// the frequency in the middle of the window, if the frequency changes by `rate` per unit of time. The share is |int w
+/// e^(i pi rate t^2) dt|/int w dt, a function of `sweep`, rate T^2. For order k of a shaft the rate is k times that of
+/// the turns. WHIRL_BAD_INPUT for |sweep| above 1e6.
 whirl_status whirl_signals_sweep(double sweep, double *kept);
 
 /// Computes the size of a motion: half the diagonal of the bounding box of the channels. The functions below compare

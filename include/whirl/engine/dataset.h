@@ -64,8 +64,8 @@ typedef struct whirl_dataset {
 /// Returns the number of records of a data set that are made.
 size_t whirl_dataset_records(const whirl_dataset_options *options);
 
-/// Returns the time, s, from the beginning of a run to the first sample of its record, in which the shaft turns at the
-/// first speed of the run's law, rad/s; 0 if that speed is 0.
+/// Returns the lead of a run: the time, s, from its beginning to the first sample of its record. During the lead the
+/// shaft turns at `speed`, rad/s, the first speed of the run's law. 0 if that speed is 0.
 double whirl_dataset_lead(const whirl_dataset_options *options, double speed);
 
 /// Returns the duration, s, of the run of a record with that lead: lead, samples, and the time that the filters need

@@ -27,9 +27,9 @@ whirl_status whirl_equilibrium(const whirl_system *system, double *x);
 /// [dimension]: 1 if it finds one; 0 also if memory is exhausted.
 double whirl_equilibrium_share(const whirl_system *system, const double *start);
 
-/// Computes the function whose zero is the equilibrium: the right-hand side at x [dimension] with the amplitude of the
-/// forcing at zero and turning coordinates averaged, slope [dimension], and its derivative by x, jacobian
-/// [dimension][dimension]. 0 in the rows and columns of turning coordinates. Errors as whirl_equilibrium.
+/// Computes the function whose zero is the equilibrium, slope [dimension], and its derivative by x, jacobian
+/// [dimension][dimension]. The function is the right-hand side at x [dimension] with the amplitude of the forcing at
+/// zero, averaged over turning coordinates. Rows and columns of turning coordinates are 0. Errors as whirl_equilibrium.
 whirl_status whirl_rest_slope(const whirl_system *system, const double *x, double *slope, double *jacobian);
 
 /// Computes the normal forces of all contacts at x, force [contact_count], averaged in the same way; 0 for open
@@ -146,11 +146,12 @@ whirl_status whirl_critical_speeds_new(const whirl_machine *machine, const whirl
                                        whirl_critical_speeds **speeds);
 
 /// Finds unbalances that excite a mode (after API 617; check the edition that applies): on the shaft that moves most,
-/// one between any two nodes of the shape, its side given by the sign of the shape, at the station where it excites the
-/// mode most (the antinode, if the masses for the rule are equal). Each is `factor` kg m times a mass in kg: outside
-/// the outer bearings the overhanging mass; for a shape without a node between two bearings the mass that both carry;
-/// else the mass that the nearest bearing carries. Parts between nodes with less than a tenth of the largest
-/// displacement are skipped. shape [dimension][2]; statics [probe_count]; out [probe_count]. Returns their number.
+/// one in each stretch between two nodes of the shape, on the side given by the sign of the shape. It is at the station
+/// of the stretch where it excites the mode most: the antinode, if the masses for the rule are equal. Each is `factor`
+/// kg m times a mass in kg: outside the outer bearings the overhanging mass; for a shape without a node between two
+/// bearings the mass that both carry; else the mass that the nearest bearing carries. Parts between nodes with less
+/// than a tenth of the largest displacement are skipped. shape [dimension][2]; statics [probe_count]; out
+/// [probe_count]. Returns their number.
 size_t whirl_antinodes(const whirl_system *system, const double *shape, const whirl_station_statics *statics,
                        double factor, whirl_placed *out);
 

@@ -271,11 +271,11 @@ typedef struct whirl_coexistence {
 /// the study, from 1 for the attractor of most starts. Attractors of neighbouring values (along a sweep; along all axes
 /// of a map) have the same number if each is the nearest of the other and they differ by less than half of the larger
 /// one's extent. The difference of two periodic motions is the largest distance of a point of one section from the
-/// nearest of the other, so that a number continues through a period doubling (not if neither period is a multiple of
-/// the other); other motions are compared by means and bounds. Values without any verdict are skipped. Two attractors
-/// of one value never share a number. An attractor that no start reached at a value in between continues with a new
-/// number. Motions from neighbours are included, but do not count in shares. Needs the analyses "poincare" and "orbit".
-/// WHIRL_NO_MEMORY. Freed by whirl_coexistence_free.
+/// nearest point of the other. So a number continues through a period doubling. If neither period is a multiple of the
+/// other, the motions differ. Other motions are compared by means and bounds. Values without any verdict are skipped.
+/// Two attractors of one value never share a number. An attractor that no start reached at a value in between continues
+/// with a new number. Motions from neighbours are included, but do not count in shares. Needs the analyses "poincare"
+/// and "orbit". WHIRL_NO_MEMORY. Freed by whirl_coexistence_free.
 whirl_status whirl_table_coexistence(const whirl_table *table, whirl_coexistence *found);
 
 /// Frees the contents; the struct itself is the caller's.

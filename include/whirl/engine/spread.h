@@ -66,8 +66,8 @@ typedef struct whirl_index {
     whirl_estimate first, total; ///< alone, and with others
 } whirl_index;
 
-/// Statistics of a number. Those of an angle (whirl_spread_period) begin at the cut opposite to its circular mean,
-/// which is taken from -45 to 315 degrees, so that they may be below 0 or above 360. They are missing where the mean
+/// Statistics of a number. For an angle (whirl_spread_period) the circle is cut opposite to the circular mean, which is
+/// taken from -45 to 315 degrees, so that statistics may be below 0 or above 360. They are missing if the mean
 /// resultant length is below 0.2, since samples then lie all around, and at WHIRL_ANYWHERE. Limits are of the angle
 /// itself. Errors are standard errors, from the replicates of the samples. Estimates without a meaning are NaN.
 typedef struct whirl_spread {

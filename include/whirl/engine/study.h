@@ -79,10 +79,10 @@ typedef struct whirl_batch {
     /// start, then all with the next. Not for carried batches, branches and machines at rest.
     size_t starts;
     /// Maximum number of rounds of starts from neighbours (along a sweep; along all axes of a map), in addition to
-    /// several starts; 0: none. Each parameter value starts once from the end of a motion on every attractor of a
-    /// neighbour that none of its own motions reached and from which it has not started, up to
-    /// WHIRL_MAX_NEIGHBOUR_STARTS in all. The rounds end when no value has such a start left. These points follow all
-    /// others in the table, and count in no share.
+    /// several starts; 0: none. If a motion of a neighbour is on an attractor that no motion of the parameter value
+    /// reached, the value starts once from the end of that motion. A value has up to WHIRL_MAX_NEIGHBOUR_STARTS such
+    /// starts in all. The rounds end when no value has such a start left. These points follow all others in the table,
+    /// and count in no share.
     size_t neighbours;
     /// A study of tolerances: `count` is the number of points of all machines of all samples, `row` points for each
     /// machine; 0 samples: no such study.
@@ -260,10 +260,10 @@ typedef struct whirl_run_options {
     const whirl_dealer *dealer; ///< NULL: the run computes all points, or its share
 } whirl_run_options;
 
-/// Finds the unbalances by rule (whirl_record_options.antinodes_of, placed_at) of a batch and sets them in it, for the
-/// machine at the case's own value of the varied parameter and the largest running speed. *placed is borrowed by the
-/// batch and freed by free; NULL if the batch asks for none or has them. Runs call it themselves. WHIRL_BAD_INPUT with
-/// a sentence if the machine has no such mode or station; WHIRL_NO_MEMORY.
+/// Finds the unbalances by rule (whirl_record_options.antinodes_of, placed_at) of a batch, and sets them in the batch.
+/// They are those of the machine at the case's own value of the varied parameter and at the largest running speed.
+/// *placed is borrowed by the batch and freed by free; NULL if the batch asks for none or has them. Runs call it
+/// themselves. WHIRL_BAD_INPUT with a sentence if the machine has no such mode or station; WHIRL_NO_MEMORY.
 whirl_status whirl_study_place(const whirl_study *study, whirl_batch *batch, whirl_placed **placed);
 
 /// Makes the machine of a point of a batch, by its index in `values` (0 if nothing varies), plus s times the count for

@@ -236,7 +236,7 @@ typedef struct whirl_system {
     void (*adopt)(const void *model, double *x, const struct whirl_system *other, const double *y);
 
     /// Optional, for machines with stations that twist: writes the twist of each probe's station, rad, in a small
-    /// motion Re(v exp(i w t)), v [dimension][2], to shape [probe_count][2], and returns the share of all twists in the
+    /// motion Re(v exp(i w t)), v [dimension][2], to shape [probe_count][2]. Returns the share of all twists in the
     /// kinetic energy, with masses lumped: 1 for a torsional mode.
     double (*twist)(const void *model, const double *v, double *shape);
 

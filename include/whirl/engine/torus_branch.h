@@ -61,8 +61,8 @@ typedef struct whirl_torus_branch {
     whirl_torus_point *points; ///< [count]
     whirl_torus_end end;       ///< reason for its end
     /// Value of the parameter at the end of the branch, extrapolated from its last two tori: where the radius of a
-    /// shrinking one vanishes (its square taken as linear), or where a rough one near a resonance locks (the square of
-    /// its rotation number's distance from the resonance taken as linear). NaN if they do not converge.
+    /// shrinking torus vanishes, or where a rough torus near a resonance locks. The square of the radius, or of the
+    /// rotation number's distance from the resonance, is taken as linear. NaN if the two tori do not converge.
     double limit;
     char why[WHIRL_MESSAGE_SIZE]; ///< the end in a sentence, with its place and numbers
 } whirl_torus_branch;

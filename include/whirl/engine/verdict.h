@@ -60,9 +60,9 @@ typedef struct whirl_verdict {
     whirl_regime regime; ///< the kind of motion
     int period;          ///< k of P-k for a periodic motion, else 0
     int curves; ///< closed curves in the section of a quasi-periodic motion; 0 if it may be a surface, and for others
-    /// Number of independent frequencies of a quasi-periodic motion: 2 for closed curves, and without curves if a phase
-    /// that fits no revolution forces it; 3 if the section is a surface and a second exponent is zero; 0 if unknown,
-    /// and for others.
+    /// Number of independent frequencies of a quasi-periodic motion: 2 for closed curves, or if the motion is forced by
+    /// a phase that does not repeat in whole revolutions; 3 if the section is a surface and a second exponent is zero.
+    /// 0 if unknown, and for other motions.
     int frequencies;
     double diverged_at; ///< revolution of divergence, else 0
     double limit; ///< whirl_record.limit that a diverging motion exceeded; 0 if another bound ended it, and for others
@@ -127,8 +127,9 @@ typedef struct whirl_verdict {
 whirl_verdict whirl_judge(const whirl_record *record);
 
 /// Searches for coexisting attractors along a chaotic motion: stable equilibria near its section, and stable orbits
-/// that motions reach within 200 revolutions, from 32 starts at a tenth of the size of the section's box from states of
-/// the section. *coexisting as in whirl_verdict. WHIRL_BAD_INPUT if the system has no Jacobian; WHIRL_NO_MEMORY.
+/// that motions reach within 200 revolutions. The 32 starts of these motions are states of the section, displaced by up
+/// to a tenth of the motion's extent in every coordinate. *coexisting as in whirl_verdict. WHIRL_BAD_INPUT if the
+/// system has no Jacobian or has turning phases, and for a motion that is not bounded; WHIRL_NO_MEMORY.
 whirl_status whirl_record_coexisting(const whirl_system *system, const whirl_integrate_options *integrate,
                                      const whirl_record *record, int *coexisting);
 

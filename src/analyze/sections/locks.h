@@ -9,8 +9,8 @@
 /// not locked: a third of the points, at least 96.
 int longest_lock(const section *all, int curves);
 
-/// Returns the longest period up to which locks are excluded, at most longest_lock, for a section on `curves`->count >=
-/// 1 closed curves that it visits in turn with the rotation number `rotation` (NaN if unknown).
+/// Returns the longest period up to which locks are excluded, at most longest_lock. The section lies on `curves`->count
+/// >= 1 closed curves, which it visits in turn with the rotation number `rotation` (NaN if unknown).
 int locks_excluded(const section *all, const closed_curves *curves, double rotation);
 
 #endif

@@ -16,8 +16,9 @@ typedef struct settling_map {
 /// Finds the map. `size` and `rounding` are those of the motion.
 settling_map settling_map_find(const section *all, double size, double rounding);
 
-/// Returns true if the map leads to an orbit of one revolution: it certainly shrinks all steps, and its rate is that of
-/// a linear map, unlike the approach of a small torus or the passage of a ghost of a vanished orbit.
+/// Returns true if the map leads to an orbit of one revolution: it certainly shrinks all steps, and its rate stays
+/// constant, as that of a linear map. The rate changes on the approach to a small torus, and on the passage near the
+/// ghost of a vanished orbit.
 bool settling_map_leads_to_rest(const settling_map *map);
 
 #endif

@@ -6,8 +6,8 @@
 
 #include "whirl/engine/analyze.h"
 
-/// The largest line of the record off whole orders, at the station where it is the largest part of the motion, and the
-/// largest line there that is no combination of it and of whole orders.
+/// The main line: the largest line of the record away from whole orders, at the station where it is the largest part of
+/// the motion. The second line is the largest one there that is no combination of the main line and whole orders.
 typedef struct main_line {
     double order; ///< NaN without one
     double share; ///< amplitude over half the diagonal of the station's box

@@ -94,10 +94,9 @@ size_t stepper_list_sliding(const stepper *c, size_t list[MAX_SLIDING]) {
     return count;
 }
 
-/// Computes the slope along all switches along which the motion slides: the slope on their lower sides plus, for each
-/// switch, a share of the difference of its upper side. (The effects of the switches add up, so that the convex
-/// combination of all sides has this form.) Writes the shares, which are between 0 and 1 as long as the motion stays on
-/// the switch.
+/// Computes the slope of a motion that slides along switches. It is the slope on their lower sides, plus a share of the
+/// difference that each upper side makes. (The effects of the switches add up, so that the convex combination of all
+/// sides has this form.) Writes the shares, which are between 0 and 1 as long as the motion stays on the switch.
 void stepper_slope_along(const stepper *c, double t, const double *x, double *dxdt, double *share) {
     const size_t n = c->dimension;
     size_t list[MAX_SLIDING];

@@ -13,7 +13,7 @@ static whirl_status section_map_check(const whirl_system *system, size_t revolut
                           WHIRL_MAX_ORBIT);
     if (repeats == 0)
         return whirl_fail(WHIRL_BAD_INPUT, "forces turn with a phase that fits no number of revolutions: sections meet "
-                                           "its tori in no closed curve");
+                                           "tori in no closed curve");
     if (revolutions % repeats != 0)
         return whirl_fail(WHIRL_BAD_INPUT,
                           "sections %zu revolutions apart, expected a multiple of %zu, after which all that turns "

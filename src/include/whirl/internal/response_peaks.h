@@ -35,9 +35,9 @@ size_t whirl_response_peaks(size_t count, const double *speeds, const double *am
 /// and at both ends of that range, by cubic interpolation; NaN if the points do not cover it.
 double whirl_response_largest(size_t count, const double *speeds, const double *amplitudes, double low, double high);
 
-/// Returns the critical speed ratio (speed over the first critical speed on rigid supports) above which a machine with
-/// that mean gas density (kg/m3) is in region B of the screening diagram of API 617: 2.5 up to 16.53 kg/m3, from there
-/// falling to 2.0 at 60 kg/m3, 0 beyond. Check the edition that applies.
+/// Returns the critical speed ratio above which a machine with that mean gas density (kg/m3) is in region B of the
+/// screening diagram of API 617: 2.5 up to 16.53 kg/m3, from there falling to 2.0 at 60 kg/m3, 0 beyond. The ratio is
+/// the speed over the first critical speed on rigid supports. Check the edition that applies.
 double whirl_screening_ratio(double density);
 
 /// Returns the separation margin required for a peak of that amplification A, in percent of the lowest (or, `above`,
