@@ -57,13 +57,13 @@ static const whirl_key file_keys[] = {
     CHOICE_KEY("model", OPTIONAL, "", "path of a case of the rotor, from the folder of this file"),
     CHOICE_KEY("influence", DEFAULT("runs"), "runs|model", "source of the influence coefficients"),
     NUMBER_KEY("model_error", "", "1", DEFAULT("0.03"), WHIRL_FROM_TO(0, 0.5),
-               "assumed relative error of the model's critical speeds, for the remaining vibration in that case"),
+               "assumed relative error of the model's critical speeds; the vibration that remains with it is reported"),
     NUMBER_KEY("keyphasor", "", "rad", DEFAULT("0"), WHIRL_ANY,
                "position of the mark's pickup, from the model's x axis towards y"),
 };
 
 static const whirl_key plane_keys[] = {
-    CHOICE_KEY("name", REQUIRED, "", "its name"),
+    CHOICE_KEY("name", REQUIRED, "", "name of the plane"),
     NUMBER_KEY("radius", "", "m", OPTIONAL, WHIRL_POSITIVE, "radius of the weights"),
     NUMBER_KEY("limit", "", "kg m", OPTIONAL, WHIRL_POSITIVE, "largest moment of its weight; absent: no limit"),
     WHOLE_KEY("holes", "", OPTIONAL, WHIRL_FROM_TO(3, 360),
@@ -77,7 +77,7 @@ static const whirl_key plane_keys[] = {
 
 static const whirl_key mode_keys[] = {
     NUMBER_KEY("speed", "", "rad/s", REQUIRED, WHIRL_POSITIVE,
-               "speed near its critical speed; a reading belongs to the mode of the nearest speed"),
+               "speed near the critical speed of the mode; a reading belongs to the mode of the nearest speed"),
     CHOICE_KEY("shape", OPTIONAL, "", "a list with one number for every plane; absent: the model's, at that speed"),
 };
 
@@ -104,7 +104,8 @@ static const whirl_key vibration_keys[] = {
     NUMBER_KEY("speed", "", "rad/s", REQUIRED, WHIRL_POSITIVE, "speed of the rotor"),
     CHOICE_KEY("probe", REQUIRED, "", "name of the probe"),
     VECTOR_KEYS("m", "amplitude of the 1X vibration, in the convention of `amplitudes`", "phase of the 1X vibration"),
-    NUMBER_KEY("weight", "", "1", DEFAULT("1"), WHIRL_NOT_NEGATIVE, "weight of its square in the sum"),
+    NUMBER_KEY("weight", "", "1", DEFAULT("1"), WHIRL_NOT_NEGATIVE,
+               "weight of the square of this vibration in the sum"),
 };
 
 static const whirl_key slow_roll_keys[] = {
@@ -113,7 +114,7 @@ static const whirl_key slow_roll_keys[] = {
 };
 
 static const whirl_key coefficient_keys[] = {
-    CHOICE_KEY("plane", REQUIRED, "", "its plane"),
+    CHOICE_KEY("plane", REQUIRED, "", "plane of the weight"),
     NUMBER_KEY("speed", "", "rad/s", REQUIRED, WHIRL_POSITIVE, "speed of the rotor"),
     CHOICE_KEY("probe", REQUIRED, "", "name of the probe"),
     VECTOR_KEYS("m/(kg m)",

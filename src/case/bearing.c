@@ -24,8 +24,9 @@ static const whirl_key file_keys[] = {
                      "Lund, Thomsen 1978; Lund 1964"),
     CHOICE_KEY("pads", OPTIONAL, "", "a list of pads"),
     CHOICE_KEY("tilting", OPTIONAL, "yes|no", "yes: the pads of the list tilt about their pivots"),
-    NUMBER_KEY("preload", "m", "1", OPTIONAL, WHIRL_FROM_TO(0.0, 0.99),
-               "preload of the pads of a kind, as a share of the clearance; plain and two-groove have none"),
+    NUMBER_KEY(
+        "preload", "m", "1", OPTIONAL, WHIRL_FROM_TO(0.0, 0.99),
+        "preload of the pads of a standard bearing, as a share of the clearance; plain and two-groove have none"),
     NUMBER_KEY("turned", "", "rad", DEFAULT("0"), WHIRL_ANY, "angle by which all pads are turned from x towards y"),
     NUMBER_KEY("radius", "R", "m", OPTIONAL, WHIRL_POSITIVE, "radius of the journal; this or diameter"),
     NUMBER_KEY("diameter", "D", "m", OPTIONAL, WHIRL_POSITIVE, "diameter of the journal"),
@@ -59,7 +60,7 @@ static const whirl_key file_keys[] = {
                      "ASTM D2270"),
     NUMBER_KEY("density", "rho", "kg/m3", DEFAULT("870"), WHIRL_POSITIVE, "density of the oil"),
     CITED_CHOICE_KEY("turbulence", DEFAULT("none"), "none|ng-pan|constantinescu",
-                     "factors by the local Reynolds number on flows around and along and on the shear",
+                     "turbulence factors of the flows around and along and of the shear, by the local Reynolds number",
                      "Ng, Pan 1965; Constantinescu 1962"),
     NUMBER_KEY("supply_pressure", "p_s", "Pa", OPTIONAL, WHIRL_NOT_NEGATIVE,
                "pressure of the oil in the grooves between fixed pads, above that of the surroundings"),
@@ -98,14 +99,14 @@ static const whirl_key pad_keys[] = {
 };
 
 static const whirl_key speeds_keys[] = {
-    NUMBER_KEY("from", "", "rad/s", REQUIRED, WHIRL_POSITIVE, "the first"),
-    NUMBER_KEY("to", "", "rad/s", REQUIRED, WHIRL_POSITIVE, "the last"),
+    NUMBER_KEY("from", "", "rad/s", REQUIRED, WHIRL_POSITIVE, "first speed"),
+    NUMBER_KEY("to", "", "rad/s", REQUIRED, WHIRL_POSITIVE, "last speed"),
     WHOLE_KEY("points", "", REQUIRED, WHIRL_FROM_TO(2, WHIRL_MAX_BEARING_POINTS), "number of values, evenly spaced"),
 };
 
 static const whirl_key loads_keys[] = {
-    NUMBER_KEY("from", "", "N", REQUIRED, WHIRL_POSITIVE, "the first"),
-    NUMBER_KEY("to", "", "N", REQUIRED, WHIRL_POSITIVE, "the last"),
+    NUMBER_KEY("from", "", "N", REQUIRED, WHIRL_POSITIVE, "first load"),
+    NUMBER_KEY("to", "", "N", REQUIRED, WHIRL_POSITIVE, "last load"),
     WHOLE_KEY("points", "", REQUIRED, WHIRL_FROM_TO(2, WHIRL_MAX_BEARING_POINTS), "number of values, evenly spaced"),
 };
 

@@ -107,8 +107,8 @@ static const whirl_key study_keys[] = {
 // clang-format off
 #define AXIS_KEYS(needed)                                                                                              \
     {"parameter", "", "", WHIRL_KEY_CHOICE, needed, "", WHIRL_ANY, "", "name of the parameter that varies", "", NULL}, \
-    NUMBER_KEY("from", "", "", OPTIONAL, WHIRL_ANY, "its first value"),                                                \
-    NUMBER_KEY("to", "", "", OPTIONAL, WHIRL_ANY, "its last value"),                                                   \
+    NUMBER_KEY("from", "", "", OPTIONAL, WHIRL_ANY, "first value of the parameter"),                                   \
+    NUMBER_KEY("to", "", "", OPTIONAL, WHIRL_ANY, "last value of the parameter"),                                      \
     WHOLE_KEY("points", "", OPTIONAL, WHIRL_FROM_TO(1, SCHEMA_MAX_POINTS),                                             \
      "number of values, spaced by scale, both ends included; this or step"),                                           \
     NUMBER_KEY("step", "", "", OPTIONAL, WHIRL_ANY,                                                                    \
@@ -130,7 +130,7 @@ static const whirl_key sweep_keys[] = {
 static const whirl_key axis_keys[] = {AXIS_KEYS(true)};
 
 static const whirl_key map_keys[] = {
-    CHOICE_KEY("x", REQUIRED, "", "the parameter along its rows, and its values"),
+    CHOICE_KEY("x", REQUIRED, "", "the parameter along the rows of the map, and its values"),
     CHOICE_KEY("y", REQUIRED, "", "the parameter from row to row, and its values"),
     CHOICE_KEY("z", OPTIONAL, "", "the parameter from plane to plane, and its values; absent: one plane"),
     CHOICE_KEY("start", DEFAULT("state"), "rest|state", "rest: every point from zero; state: from the initial state"),
@@ -213,16 +213,16 @@ static const whirl_key motions_keys[] = {
 
 static const whirl_key branch_keys[] = {
     CHOICE_KEY("parameter", OPTIONAL, "", "name of the parameter that varies; absent: that of the sweep"),
-    NUMBER_KEY("from", "", "", OPTIONAL, WHIRL_ANY, "its first bound; absent: that of the sweep"),
-    NUMBER_KEY("to", "", "", OPTIONAL, WHIRL_ANY, "its other bound; absent: that of the sweep"),
+    NUMBER_KEY("from", "", "", OPTIONAL, WHIRL_ANY, "first bound of the parameter; absent: that of the sweep"),
+    NUMBER_KEY("to", "", "", OPTIONAL, WHIRL_ANY, "other bound of the parameter; absent: that of the sweep"),
     NUMBER_KEY("at", "", "", OPTIONAL, WHIRL_ANY,
                "a list of values at which a motion settles and a branch begins; absent: the first bound"),
 };
 
 static const whirl_key curves_keys[] = {
     CHOICE_KEY("parameter", REQUIRED, "", "name of the second parameter"),
-    NUMBER_KEY("from", "", "", REQUIRED, WHIRL_ANY, "its lower bound"),
-    NUMBER_KEY("to", "", "", REQUIRED, WHIRL_ANY, "its upper bound"),
+    NUMBER_KEY("from", "", "", REQUIRED, WHIRL_ANY, "lower bound of the parameter"),
+    NUMBER_KEY("to", "", "", REQUIRED, WHIRL_ANY, "upper bound of the parameter"),
 };
 
 static const whirl_key detail_keys[] = {
@@ -259,9 +259,10 @@ static const whirl_key starts_keys[] = {
     CHOICE_KEY("within", REQUIRED, "",
                "names of stations with ranges of the coordinates of initial, such as x: [-1, 1]; other coordinates are "
                "as in initial"),
-    WHOLE_KEY("neighbours", "", DEFAULT("0"), WHIRL_FROM_TO(0, 100000),
-              "largest number of rounds of starts from neighbours: points of a sweep or map start from the end of a "
-              "neighbour's motion on an attractor that they lack; these count in no share"),
+    WHOLE_KEY(
+        "neighbours", "", DEFAULT("0"), WHIRL_FROM_TO(0, 100000),
+        "largest number of rounds of starts from neighbours: points of a sweep or map start from the end of a "
+        "neighbour's motion on an attractor that they lack; these starts do not count in the shares of attractors"),
 };
 
 static const whirl_key tolerances_keys[] = {
@@ -494,8 +495,8 @@ static const whirl_key claim_keys[] = {
               "number of parts of the curve of Hopf points, alternately supercritical and subcritical"),
     CHOICE_KEY("given", OPTIONAL, "",
                "name of another parameter of the case, if the claim holds only for some of its values"),
-    NUMBER_KEY("given_from", "", "", OPTIONAL, WHIRL_ANY, "its first value"),
-    NUMBER_KEY("given_to", "", "", OPTIONAL, WHIRL_ANY, "its last value"),
+    NUMBER_KEY("given_from", "", "", OPTIONAL, WHIRL_ANY, "first value of that parameter"),
+    NUMBER_KEY("given_to", "", "", OPTIONAL, WHIRL_ANY, "last value of that parameter"),
 };
 
 const whirl_group schema_claims =

@@ -62,7 +62,7 @@ enum {
                                   "radial clearance of the pads; that of the bearing is (1 - preload) times this"),    \
     OIL_ROWS(PADS_OIL, "dynamic viscosity of the oil; required without kinematic_viscosity"),                          \
     [PADS_TURBULENCE] = CITED_CHOICE_KEY("turbulence", DEFAULT("none"), "none|ng-pan|constantinescu",                  \
-                                         "factors by the local Reynolds number; needs density",                        \
+                                     "turbulence factors of the film, by the local Reynolds number; needs density",    \
                                          "Ng, Pan 1965; Constantinescu 1962"),                                         \
     [PADS_RADIUS] = NUMBER_KEY("radius", "R", "m", REQUIRED, WHIRL_POSITIVE, "radius of the journal"),                 \
     [PADS_LENGTH] = NUMBER_KEY("length", "L", "m", REQUIRED, WHIRL_POSITIVE, "length of the bearing along the shaft")

@@ -43,22 +43,23 @@ static const whirl_key shaft_keys[SHAFT_KEYS] = {
                                      "Rao 2007, sec. 9.3"),
     [SHAFT_MASS_DAMPING] = NUMBER_KEY("mass_damping", "alpha", "1/s", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                                       "proportional damping: C = alpha M + beta K of the shaft"),
-    [SHAFT_STIFFNESS_DAMPING] = NUMBER_KEY("stiffness_damping", "beta", "s", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
-                                           "proportional damping; it does not turn with the shaft"),
+    [SHAFT_STIFFNESS_DAMPING] =
+        NUMBER_KEY("stiffness_damping", "beta", "s", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
+                   "proportional damping: beta of mass_damping; it does not turn with the shaft"),
     [SHAFT_VISCOUS] = CITED_NUMBER_KEY(
         "viscous_damping", "eta_V", "s", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
-        "internal damping, which turns with the shaft: stress by the rate of strain over that by strain",
+        "viscous internal damping, which turns with the shaft: viscosity of the material divided by its modulus",
         "Zorzi, Nelson 1977"),
-    [SHAFT_HYSTERETIC] =
-        CITED_NUMBER_KEY("hysteretic_damping", "eta_H", "1", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
-                         "internal damping, loss factor; for whirl slower than the shaft turns", "Zorzi, Nelson 1977"),
+    [SHAFT_HYSTERETIC] = CITED_NUMBER_KEY(
+        "hysteretic_damping", "eta_H", "1", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
+        "hysteretic internal damping, loss factor; for whirl slower than the shaft turns", "Zorzi, Nelson 1977"),
     [SHAFT_MESH_TO] = NUMBER_KEY("mesh_to", "", "Hz", OPTIONAL, WHIRL_POSITIVE,
                                  "highest natural frequency that the mesh resolves to 1e-4; absent: nodes at stations "
                                  "and ends of segments alone"),
-    [SHAFT_REDUCE] =
-        CITED_CHOICE_KEY("reduce", DEFAULT("yes"), "yes|no",
-                         "yes: displacements of its stations and the lowest modes between them; no: all its nodes",
-                         "Craig, Bampton 1968"),
+    [SHAFT_REDUCE] = CITED_CHOICE_KEY("reduce", DEFAULT("yes"), "yes|no",
+                                      "yes: coordinates are the displacements of its stations and the lowest modes "
+                                      "between them; no: those of all its nodes",
+                                      "Craig, Bampton 1968"),
     [SHAFT_MODES] = WHOLE_KEY("modes", "", DEFAULT("8"), WHIRL_FROM_TO(0, 512),
                               "with reduce: number of modes that are kept in each plane"),
     [SHAFT_MODES_TO] = NUMBER_KEY("modes_to", "", "Hz", OPTIONAL, WHIRL_POSITIVE,

@@ -127,19 +127,20 @@ static const whirl_key keys[KEY_COUNT] = {
         NUMBER_KEY("friction", "f_k", "1", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "coefficient while the surfaces slide"),
     [STATIC_FRICTION] = NUMBER_KEY("static_friction", "f_s", "1", OPTIONAL, WHIRL_POSITIVE,
                                    "coefficient near rest, at least friction; with stribeck and lugre"),
-    [STRIBECK_SPEED] =
-        NUMBER_KEY("stribeck_speed", "v_s", "m/s", OPTIONAL, WHIRL_POSITIVE,
-                   "sliding at which the excess over friction has fallen by 1 - 1/e; with stribeck and lugre"),
+    [STRIBECK_SPEED] = NUMBER_KEY("stribeck_speed", "v_s", "m/s", OPTIONAL, WHIRL_POSITIVE,
+                                  "speed of sliding at which the excess of the coefficient over `friction` has fallen "
+                                  "by 1 - 1/e; with stribeck and lugre"),
     [VISCOUS] = NUMBER_KEY("viscous", "sigma_2", "s/m", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                            "growth of the coefficient with the speed of sliding"),
     [SLIP_SPEED] = NUMBER_KEY("slip_speed", "v_0", "m/s", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                               "friction grows as v_t/sqrt(v_t^2 + v_0^2); 0 for a sharp reversal; not with lugre"),
     [BRISTLE] = CITED_NUMBER_KEY("bristle_stiffness", "sigma_0", "1/m", OPTIONAL, WHIRL_POSITIVE,
-                                 "with lugre: tangential over normal force, by the bristles' deflection",
+                                 "with lugre: tangential over normal force, divided by the bristles' deflection",
                                  "Canudas de Wit et al. 1995"),
     [BRISTLE_DAMPING] =
         CITED_NUMBER_KEY("bristle_damping", "sigma_1", "s/m", OPTIONAL, WHIRL_POSITIVE,
-                         "with lugre: the same by the rate of the deflection", "Canudas de Wit et al. 1995"),
+                         "with lugre: tangential over normal force, divided by the rate of the bristles' deflection",
+                         "Canudas de Wit et al. 1995"),
     [RADIUS] = NUMBER_KEY("radius", "R_d", "m", OPTIONAL, WHIRL_POSITIVE,
                           "radius of the rotor's surface that rubs; required with friction"),
     [ARC_WIDTH] =

@@ -28,11 +28,13 @@ static const whirl_key keys[KEY_COUNT] = {
     [FORCE] = CITED_NUMBER_KEY("force", "F", "N", OPTIONAL, WHIRL_NOT_NEGATIVE,
                                "force against the sliding, independent of its speed; required except along tilts",
                                "Coulomb 1785; den Hartog 1931"),
-    [MOMENT] = NUMBER_KEY("moment", "M", "N m", OPTIONAL, WHIRL_NOT_NEGATIVE, "the same for tilts"),
+    [MOMENT] = NUMBER_KEY("moment", "M", "N m", OPTIONAL, WHIRL_NOT_NEGATIVE,
+                          "moment against the sliding along tilts or twist, in place of force"),
     [SLIP_SPEED] = NUMBER_KEY("slip_speed", "v_0", "m/s", OPTIONAL, WHIRL_POSITIVE,
                               "friction grows as v/sqrt(v^2 + v_0^2); absent: sharp, with motions that stick; required "
                               "along xy, where friction points against the velocity"),
-    [SLIP_RATE] = NUMBER_KEY("slip_rate", "", "rad/s", OPTIONAL, WHIRL_POSITIVE, "the same for tilts"),
+    [SLIP_RATE] = NUMBER_KEY("slip_rate", "", "rad/s", OPTIONAL, WHIRL_POSITIVE,
+                             "v_0 along tilts or twist, in place of slip_speed"),
 };
 
 static whirl_status friction_check(const key_value *values) {

@@ -64,9 +64,10 @@ static const whirl_key keys[KEY_COUNT] = {
                               "scale F0 of the film force of one bearing, in place of viscosity, radius and length",
                               "Capone 1991"),
     OIL_ROWS(OIL, "dynamic viscosity of the oil"),
-    [TURBULENCE] = CITED_CHOICE_KEY("turbulence", DEFAULT("none"), "none|ng-pan|constantinescu",
-                                    "factors of one Reynolds number, of the clearance; needs density, radius, length",
-                                    "Ng, Pan 1965; Constantinescu 1962"),
+    [TURBULENCE] = CITED_CHOICE_KEY(
+        "turbulence", DEFAULT("none"), "none|ng-pan|constantinescu",
+        "turbulence factors of the film, for one Reynolds number, that of the clearance; needs density, radius, length",
+        "Ng, Pan 1965; Constantinescu 1962"),
     [RADIUS] = NUMBER_KEY("radius", "R", "m", OPTIONAL, WHIRL_POSITIVE, "radius of the journal"),
     [LENGTH] = NUMBER_KEY("length", "L", "m", OPTIONAL, WHIRL_POSITIVE, "length of the bearing"),
     [JOURNAL_RATIO] = NUMBER_KEY("journal_ratio", "", "1", OPTIONAL, WHIRL_ANY,

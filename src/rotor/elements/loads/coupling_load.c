@@ -31,16 +31,16 @@ static const whirl_key keys[KEY_COUNT] = {
     [DISTANCE] = CITED_NUMBER_KEY("distance", "Z", "m", REQUIRED, WHIRL_POSITIVE,
                                   "distance of the two planes in which it bends", "Gibbons 1976"),
     [X1] = OFFSET("x1", "dX_1", "offset along x of the far plane from the axis of the driving shaft"),
-    [Y1] = OFFSET("y1", "dY_1", "the same along y"),
+    [Y1] = OFFSET("y1", "dY_1", "offset along y of the far plane from the axis of the driving shaft"),
     [X2] = OFFSET("x2", "dX_2", "offset along x of the far plane from the axis of the driven shaft"),
-    [Y2] = OFFSET("y2", "dY_2", "the same along y"),
+    [Y2] = OFFSET("y2", "dY_2", "offset along y of the far plane from the axis of the driven shaft"),
     [STIFFNESS] = CITED_NUMBER_KEY("bending_stiffness", "K_b", "N m/rad", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                                    "moment of one plane over its angle", "Gibbons 1976"),
     [TORQUE] =
         NUMBER_KEY("torque", "T", "N m", DEFAULT("0"), WHIRL_ANY, "torque that it transmits, along the rotation"),
     [ORDERS] = CITED_NUMBERS_KEY("orders", "", "1", DEFAULT("1"), WHIRL_ANY,
-                                 "parts of the reactions that are constant, come once, twice, ... a turn; 1 alone: all "
-                                 "constant, as they are derived",
+                                 "parts of the reactions that are constant, that come once a turn, twice a turn, ...; "
+                                 "1 alone: all are constant, as in the derivation",
                                  "Sekhar, Prabhu 1995"),
     [PHASE] = ANGLE_KEY("phase", "", "orders",
                         "phase of the orders from the first on at t = 0: part n varies as cos n (tau + phase)"),

@@ -12,7 +12,8 @@ static const whirl_key keys[KEY_COUNT] = {
     [INERTIA] = NUMBER_KEY("inertia", "J", "kg m2", OPTIONAL, WHIRL_POSITIVE,
                            "polar moment of inertia of all that turns, about axes through its centres of mass; "
                            "required unless stations twist, whose own inertia counts"),
-    [AT] = STATION_KEY("at", OPTIONAL, "station of the motor; required if stations twist, else it turns the shaft"),
+    [AT] = STATION_KEY("at", OPTIONAL,
+                       "station of the motor; required if stations twist; absent: it turns the shaft as a whole"),
     [TORQUE] = NUMBER_KEY("torque", "T", "N m", OPTIONAL, WHIRL_ANY, "torque of the motor at standstill"),
     [NO_LOAD] = CITED_NUMBER_KEY("no_load_speed", "", "rad/s", OPTIONAL, WHIRL_POSITIVE,
                                  "speed at which the torque has fallen linearly to 0; absent: the torque is constant",
@@ -26,9 +27,9 @@ static const whirl_key keys[KEY_COUNT] = {
     [LOAD_AT] = STATION_KEY("load_at", OPTIONAL, "station of the load; absent: that of the motor"),
     [LOAD] =
         NUMBER_KEY("load", "", "N m", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "torque of dry friction against the rotation"),
-    [LINEAR] = NUMBER_KEY("load_linear", "", "N m s", DEFAULT("0"), WHIRL_ANY, "load torque over the speed"),
+    [LINEAR] = NUMBER_KEY("load_linear", "", "N m s", DEFAULT("0"), WHIRL_ANY, "load torque divided by the speed"),
     [QUADRATIC] = NUMBER_KEY("load_quadratic", "b", "N m s2", DEFAULT("0"), WHIRL_ANY,
-                             "load torque over the square of the speed, as of fans and pumps"),
+                             "load torque divided by the square of the speed, as of fans and pumps"),
 };
 
 static whirl_status drive_build(const key_value *values, assembly *to, element *out) {

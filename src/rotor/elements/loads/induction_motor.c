@@ -21,7 +21,8 @@ enum {
 };
 
 static const whirl_key keys[KEY_COUNT] = {
-    [AT] = STATION_KEY("at", OPTIONAL, "station of its rotor; required if stations twist, else it turns the shaft"),
+    [AT] = STATION_KEY("at", OPTIONAL,
+                       "station of its rotor; required if stations twist; absent: it turns the shaft as a whole"),
     [VOLTAGE] = NUMBER_KEY("voltage", "V", "V", REQUIRED, WHIRL_POSITIVE, "line voltage, rms between two phases"),
     [FREQUENCY] =
         NUMBER_KEY("frequency", "f", "Hz", REQUIRED, WHIRL_POSITIVE, "line frequency, at which the reactances hold"),

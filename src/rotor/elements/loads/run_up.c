@@ -24,8 +24,9 @@ enum { AT, MOMENT, ANGLE, SPEED, ACCELERATION, KEY_COUNT };
 static const whirl_key keys[KEY_COUNT] = {
     UNBALANCE_KEYS,
     [SPEED] = NUMBER_KEY("speed", "", "rad/s", DEFAULT("0"), WHIRL_ANY, "at t = 0"),
-    [ACCELERATION] = CITED_NUMBER_KEY("acceleration", "alpha", "rad/s2", REQUIRED, WHIRL_ANY,
-                                      "of the rotation; against the speed for a run-down", "Lewis 1932"),
+    [ACCELERATION] =
+        CITED_NUMBER_KEY("acceleration", "alpha", "rad/s2", REQUIRED, WHIRL_ANY,
+                         "angular acceleration of the rotation; against the speed for a run-down", "Lewis 1932"),
 };
 
 static whirl_status run_up_build(const key_value *values, assembly *to, element *out) {

@@ -8,7 +8,8 @@
 enum { AT, TORQUE, FREQUENCY, FIRST, SECOND, DECAY, TIME, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
-    [AT] = STATION_KEY("at", OPTIONAL, "station of its rotor; required if stations twist, else it turns the shaft"),
+    [AT] = STATION_KEY("at", OPTIONAL,
+                       "station of its rotor; required if stations twist; absent: it turns the shaft as a whole"),
     [TORQUE] = NUMBER_KEY("torque", "T_0", "N m", REQUIRED, WHIRL_POSITIVE,
                           "rated torque, of which the factors are multiples"),
     [FREQUENCY] = NUMBER_KEY("frequency", "f", "Hz", REQUIRED, WHIRL_POSITIVE, "line frequency"),
@@ -17,7 +18,7 @@ static const whirl_key keys[KEY_COUNT] = {
     [SECOND] = NUMBER_KEY("second", "a_2", "1", DEFAULT("0"), WHIRL_ANY,
                           "factor of the part at twice line frequency (a short circuit of two phases)"),
     [DECAY] = NUMBER_KEY("decay", "T_a", "s", REQUIRED, WHIRL_POSITIVE, "time in which both fall to 1/e"),
-    [TIME] = NUMBER_KEY("time", "t_0", "s", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "when it happens"),
+    [TIME] = NUMBER_KEY("time", "t_0", "s", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "time of the short circuit"),
 };
 
 /// The keys of the law's numbers, in their order.

@@ -11,7 +11,8 @@
 enum { AT, FREQUENCY, POLES, MEAN, PULSATING, SLIPS, PHASE, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
-    [AT] = STATION_KEY("at", OPTIONAL, "station of its rotor; required if stations twist, else it turns the shaft"),
+    [AT] = STATION_KEY("at", OPTIONAL,
+                       "station of its rotor; required if stations twist; absent: it turns the shaft as a whole"),
     [FREQUENCY] = NUMBER_KEY("frequency", "f", "Hz", REQUIRED, WHIRL_POSITIVE, "line frequency"),
     [POLES] = WHOLE_KEY("poles", "P", REQUIRED, WHIRL_FROM_TO(2, 1000), "number of poles, even"),
     [MEAN] = CITED_NUMBERS_KEY("mean", "T_a", "N m", REQUIRED, WHIRL_ANY,

@@ -9,7 +9,8 @@
 enum { AT, TIMES, TORQUES, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
-    [AT] = STATION_KEY("at", OPTIONAL, "station that it turns; required if stations twist, else it turns the shaft"),
+    [AT] = STATION_KEY("at", OPTIONAL,
+                       "station that it turns; required if stations twist; absent: it turns the shaft as a whole"),
     [TIMES] = CITED_NUMBERS_KEY("times", "", "s", REQUIRED, WHIRL_NOT_NEGATIVE,
                                 "rising times at which torques are given; between them monotone cubics, outside them "
                                 "the first or the last torque",

@@ -32,8 +32,9 @@ static const whirl_key keys[KEY_COUNT] = {
     [MASS] = NUMBER_KEY("mass", "m", "kg", OPTIONAL, WHIRL_POSITIVE,
                         "mass of the rotor; absent: that of the shaft of finite elements with the planes, and of its "
                         "discs and stations"),
-    [TO_FIRST] = NUMBER_KEY("to_first", "L_A", "m", OPTIONAL, WHIRL_NOT_NEGATIVE,
-                            "distance from the centre of mass to the first plane; absent: from that shaft"),
+    [TO_FIRST] = NUMBER_KEY(
+        "to_first", "L_A", "m", OPTIONAL, WHIRL_NOT_NEGATIVE,
+        "distance from the centre of mass to the first plane; absent: computed from the shaft of finite elements"),
     [TO_SECOND] = NUMBER_KEY("to_second", "L_B", "m", OPTIONAL, WHIRL_NOT_NEGATIVE,
                              "distance from the centre of mass to the second plane, on its other side"),
     [ANGLE] = ANGLE_KEY("angle", "beta", NULL,

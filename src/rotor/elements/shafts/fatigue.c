@@ -34,8 +34,9 @@ static const whirl_key keys[KEY_COUNT] = {
                          "exponent of a curve with one point: N is proportional to 1/range to this power"),
     [ENDURANCE_TORQUE] = NUMBER_KEY("endurance_torque", "", "N m", OPTIONAL, WHIRL_POSITIVE,
                                     "range up to which cycles do no damage; absent: every cycle counts"),
-    [ENDURANCE_STRESS] =
-        NUMBER_KEY("endurance_stress", "", "Pa", OPTIONAL, WHIRL_POSITIVE, "the same for stress_ranges"),
+    [ENDURANCE_STRESS] = NUMBER_KEY(
+        "endurance_stress", "", "Pa", OPTIONAL, WHIRL_POSITIVE,
+        "range of the stress up to which cycles do no damage, with stress_ranges; absent: every cycle counts"),
     [DIAMETER] = NUMBER_KEY("diameter", "d", "m", OPTIONAL, WHIRL_POSITIVE,
                             "outer diameter of the section whose stress counts; absent: that of the weakest section of "
                             "the shaft or coupling"),

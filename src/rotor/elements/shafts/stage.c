@@ -15,7 +15,7 @@ static const whirl_key keys[KEY_COUNT] = {
     [DENSITY_RATIO] = NUMBER_KEY("density_ratio", "", "1", DEFAULT("1"), WHIRL_POSITIVE,
                                  "density of the gas at the outlet over that at the inlet; 1 for an axial stage"),
     [FACTOR] = NUMBER_KEY("factor", "B", "1", DEFAULT("3"), WHIRL_NOT_NEGATIVE,
-                          "3 for a centrifugal stage, 1.5 for an axial one"),
+                          "empirical factor: 3 for a centrifugal stage, 1.5 for an axial one"),
 };
 
 static whirl_status stage_build(const key_value *values, assembly *to, element *out) {

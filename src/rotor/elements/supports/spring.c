@@ -28,7 +28,8 @@ static const whirl_key keys[KEY_COUNT] = {
                            "damping; along tilts and twist in N m s per radian"),
     [GAP] = NUMBER_KEY("gap", "g", "m", OPTIONAL, WHIRL_NOT_NEGATIVE,
                        "play to either side, within which no force acts; absent: no play"),
-    [GAP_ANGLE] = NUMBER_KEY("gap_angle", "", "rad", OPTIONAL, WHIRL_NOT_NEGATIVE, "the same for tilts and for twist"),
+    [GAP_ANGLE] = NUMBER_KEY("gap_angle", "", "rad", OPTIONAL, WHIRL_NOT_NEGATIVE,
+                             "play to either side along tilts or twist, in place of gap; absent: no play"),
 };
 
 static whirl_status spring_build(const key_value *values, assembly *to, element *out) {
