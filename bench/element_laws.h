@@ -10,9 +10,9 @@ enum { LAW_STATES = 8, LAW_BLADES = 12 };
 typedef void element_law(const void *law, const double *d, const double *w, const double *s, double *force,
                          double *slope);
 
+/// strength: mu omega R L^3/(4 c^2); drag: rate of the ring's speed for a relative speed of 1, at e = 0.
 typedef struct film_law {
-    double clearance, strength,
-        drag; ///< strength: mu omega R L^3/(4 c^2); drag: rate of the ring's speed per relative speed, e = 0
+    double clearance, strength, drag;
 } film_law;
 
 /// A journal in a ring in a housing; s: the ring's speed less `speed`, its value if all are centred.

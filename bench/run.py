@@ -222,7 +222,7 @@ def study(options, case, threads):
 
 
 def measure_studies(options):
-    """Least seconds (clock, processor) of the whole diagram, by what was asked of the command."""
+    """Least seconds (clock, processor) of the whole diagram, by the options of the command."""
     case = HERE / "t1.yaml"
     kinds = {"all analyses, 1 thread": (True, 1), "without exponents and verdicts, 1 thread": (False, 1)}
     if len(os.sched_getaffinity(0)) > 1:

@@ -41,7 +41,7 @@ def finer(rows, points):
 
 
 def simulate(sums, ranks, options):
-    """Seconds until the last rank ends, and the questions asked; sums are of the seconds of all points before one."""
+    """Seconds until the last rank ends, and the number of questions; sums[i]: seconds of all points before point i."""
     count = len(sums) - 1
     ready = [(0.0, rank) for rank in range(ranks)]
     known = [0] * ranks  # points dealt, as a rank knows

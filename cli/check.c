@@ -384,7 +384,7 @@ static int check_file(const check_arguments *arguments, const char *argument) {
     if (set != EXIT_DONE) return set;
     if (drawn != EXIT_DONE) return drawn;
     if (status.code == WHIRL_OK) return EXIT_DONE;
-    // Some sentences begin with the place in the case.
+    // Put the path in front of the message, unless the message begins with it.
     const size_t length = strlen(path);
     if (strncmp(status.message, path, length) == 0 && status.message[length] == ':')
         complain("%s", status.message);

@@ -56,7 +56,7 @@ static error_t figure_parse(int key, char *argument, struct argp_state *state) {
     case 'o':
         arguments->output = argument;
         return 0;
-    // Options with a fixed choice of words.
+    // Check options that take one of a few words.
     case KEY_FORMAT:
         arguments->format = argument;
         if (!is_one_of(argument, formats))

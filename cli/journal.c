@@ -41,7 +41,7 @@ static int find_finished(const journal_wish *wish, const char *path, const whirl
     const bool same = whirl_result_same_study(there, outline, difference, sizeof difference);
     const bool partial = whirl_result_partial(there, &done, &total);
     whirl_result_free(there);
-    // A partial result needs its journal; a complete one of the same study is the outcome.
+    // A partial result cannot be resumed without its journal; a complete one of the same study is the outcome.
     if (partial)
         complain("there is nothing to %s: '%s' is partial (%zu of %zu points), but its journal '%s' is gone", what,
                  output, done, total, path);

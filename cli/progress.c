@@ -51,7 +51,7 @@ static void state_text(const whirl_progress *progress, char *text, size_t size) 
     }
     // Points at rest have no revolutions, and count as one each.
     const bool resting = progress->revolutions_total == (double)progress->points_total;
-    // A run-up may take minutes: then its share counts, and no number of points per second.
+    // A point may take minutes, such as a run-up: then only the share done is shown, without points per second.
     char speed[48] = "";
     if (!resting || rate >= 1.0) snprintf(speed, sizeof speed, " %.0f %s/s,", rate, resting ? "points" : "revolutions");
     snprintf(text, size, "%s%3.0f %%, %zu of %zu points%s,%s %s left", round, floor(100 * done_share(progress)),

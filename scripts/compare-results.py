@@ -60,7 +60,7 @@ def flat(value, path=""):
         times = {}
         for index, one in enumerate(value):
             name = str(index)
-            if isinstance(one, dict) and "table" in one:  # statements and sheets: more of them move none
+            if isinstance(one, dict) and "table" in one:  # named, so that added ones shift no others
                 name = f"{one['table']}:{one.get('name') or one.get('what')}"
                 times[name] = times.get(name, -1) + 1
                 name += f":{times[name]}"
@@ -104,7 +104,7 @@ def lines(text):
 
 
 def compare_texts(name, old, new):
-    """Lines are matched by their words; those of the same words in their order."""
+    """Differences of texts. Lines are matched by their words; lines of the same words in their order."""
     words = lambda line: NUMBER.sub("#", line)  # noqa: E731
     both = []
     for text in (old, new):

@@ -2,7 +2,7 @@
 # Runs the phases of a proof of the project, and shows the time that each took:
 #
 #   scripts/phase.sh --begin            forgets earlier phases
-#   scripts/phase.sh NAME COMMAND...    runs the command and notes what it took; where it fails, the table follows
+#   scripts/phase.sh NAME COMMAND...    runs the command and notes its time; if it fails, prints the table
 #   scripts/phase.sh --table            prints the phases so far, and the ten slowest tests of the last run of each build
 #
 # Notes are in the file $PHASES.

@@ -290,7 +290,7 @@ whirl_status whirl_table_attractor_numbers(const whirl_table *table, size_t *num
 }
 
 const whirl_member *whirl_table_options(const whirl_table *table, size_t group, size_t *offset) {
-    // Options of a table, by groups of members.
+    // List the options of a table, by groups of members.
     const struct {
         const whirl_member *members;
         size_t offset;

@@ -59,7 +59,8 @@ typedef struct shape_peak {
 /// Makes the amplitude x [2] (real, imaginary part) the peak if it is larger; of equal amplitudes the first is kept.
 void shape_peak_note(shape_peak *peak, const double *x);
 
-/// Writes an amplitude relative to the peak, at the instant of it and a quarter of a period later, out [2].
+/// Writes an amplitude relative to the peak, out [2]: its values at the instant of the peak and a quarter of a period
+/// later.
 void shape_peak_write(const shape_peak *peak, const double *x, double *out);
 
 /// Writes row `row` of a field of shapes (x_cos, x_sin, y_cos, y_sin of every station) of a motion Re(v exp(i w t)), v
@@ -83,9 +84,8 @@ typedef struct analysis_plan {
     size_t field_count;
     bool needs_waveform;       ///< the analysis rejects options without it
     whirl_growth needs_growth; ///< the analysis rejects options with less growth
-    whirl_growth
-        uses_growth;  ///< growth that the recorder follows for it (whirl_analysis_needs); with less, fields are missing
-    bool uses_orbits; ///< orbits are searched for it; without them fields are missing
+    whirl_growth uses_growth;  ///< growth to be followed for it; with less, some of its fields are missing
+    bool uses_orbits;          ///< orbits are searched for it; without them, some of its fields are missing
     whirl_status (*compute)(const whirl_record *record, const whirl_record_options *options, const block_view *view);
     /// For machines at rest, called instead of `compute`. WHIRL_NUMERICAL_FAILURE: the point has no equilibrium, and
     /// its numbers are missing; WHIRL_BAD_INPUT ends the run, and `whirl check` reports it beforehand.

@@ -81,7 +81,7 @@ bool whirl_field_column_names(const whirl_field *field, char names[WHIRL_MAX_COL
         memcpy(names[i], from, end);
         names[i][end] = '\0';
         from += length;
-        // Another name must follow, or none.
+        // A comma must follow every name but the last.
         if ((*from == ',') != (i + 1 < field->columns)) return false;
         if (*from == ',') from += 1 + strspn(from + 1, " ");
     }

@@ -10,7 +10,7 @@ static double complex slow_roll_vector(const block_view *view, size_t station, s
     enum { COLUMNS = 2 * RUNUP_ORDERS };
     const double size = view_numbers(view, AMPLITUDE, station)[COLUMNS * row + axis];
     const double lag = view_numbers(view, LAG, station)[COLUMNS * row + axis];
-    // An amplitude out of rounding has no lag.
+    // An amplitude that is only rounding has no lag, and counts as 0.
     return isnan(lag) && isfinite(size) ? 0.0 : size * cexp(-I * lag * 3.141592653589793238463 / 180.0);
 }
 

@@ -132,7 +132,7 @@ static void balance_go(const balancing *b, size_t count, double highest, balance
     double speeds[3] = {0.0}, factors[3] = {0.0}, rests[3] = {0.0}, motor, brake;
     balance_rest_at last = {0.0, 0.0};
     for (size_t k = 1; k <= count && !whirl_stop_is_set(b->point->stop); k++) {
-        // The motor has no torque at its last speed.
+        // The motor has no torque at its last speed: stop just below it.
         const double speed = highest * ((double)k - (k == count ? 1e-6 : 0.0)) / (double)count;
         memmove(speeds, speeds + 1, 2 * sizeof *speeds);
         memmove(factors, factors + 1, 2 * sizeof *factors);

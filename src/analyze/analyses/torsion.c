@@ -166,7 +166,7 @@ static void torsion_fill_response(const whirl_resting *point, const block_view *
     const size_t excitations = torsion->excitation_count;
     whirl_torque_path path;
     system->twist(system->model, v, shape);
-    // Angles of stations that twist.
+    // Fill in the angles of stations that twist.
     for (size_t p = 0; p < system->probe_count; p++) {
         const double size = hypot(shape[2 * p], shape[2 * p + 1]);
         double *sum = view_numbers(view, ANGLE_SUM, p);

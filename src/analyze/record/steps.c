@@ -26,7 +26,7 @@ static void add_check(whirl_step_quality *all, const whirl_step_check *check, co
     all->growth = fmax(all->growth, check->growth); // fmax ignores a NaN
     all->error = fmax(all->error, error);
     all->factor = fmax(all->factor, check->steps / integrate->steps_per_revolution);
-    // Errors of a method of order 4.
+    // The error is that of a method of order 4: a fourth root of the ratio gives the factor of the steps.
     if (error > coarse_error) all->factor = fmax(all->factor, sqrt(sqrt(fmin(error, 1e8) / good_error)));
 }
 

@@ -80,7 +80,7 @@ static whirl_motion runup_carry_seen(runner *r, double from, double length, doub
     return whirl_integrator_revolve(r->sides[r->side].seen[r->by_time], x, runup_keep_sample, &s);
 }
 
-/// A quantity of a state, which belongs to the station or switch `which` if it has one.
+/// Returns a quantity of a state; `which` is its station or switch, if it has one.
 typedef double quantity(const runner *r, const double *x, size_t which);
 
 /// Finds where a quantity reaches `target` on the way of `length` from `state`, which begins at the angle `from`. low,
@@ -387,7 +387,7 @@ static double runup_torque_slope(const runner *r, const double *x, size_t which)
 /// Fills in an instant of a turn from a sample.
 static void runup_fill_instant(const runner *r, const double *sample, const double *force, turn_instant *out) {
     double *numbers = out->numbers, *slopes = out->slopes;
-    // Derivatives by time in its unit: those by the angle times the speed.
+    // Velocities by time are derivatives by the angle times the speed.
     const double faster = r->by_time ? 1.0 : sample[r->rotor];
     out->speed = runup_speed_of(r, sample);
     *numbers++ = runup_time_of(r, sample);
@@ -422,7 +422,7 @@ static void runup_fill_motion(const runner *r, double step, size_t count) {
     for (size_t k = 0; k < count; k++) {
         const double begin = runup_time_of(r, runup_sample(r, k)), end = runup_time_of(r, runup_sample(r, k + 1));
         if (to->filled == to->count || !(to->from + (double)to->filled * to->step < end)) continue;
-        // Slopes of the ends are those of the equations.
+        // The slopes at both ends come from the equations.
         for (size_t side = 0; side < 2; side++) {
             const double *sample = runup_sample(r, k + side);
             r->system->rhs(r->system->model, 0.0, NULL, sample, slope + side * r->most);
@@ -513,7 +513,7 @@ static double runup_angle_quantity(const runner *r, const double *x, size_t whic
 /// Returns the value of the formula of an event of the course, or a value far from the target where it has none.
 static double runup_formula_quantity(const runner *r, const double *x, size_t which) {
     const whirl_run_course *course = r->plan->course;
-    // Derivatives by time in its unit: those by the angle times the speed.
+    // Velocities by time are derivatives by the angle times the speed.
     const double rate = course->length * r->unit * (r->by_time ? 1.0 : x[r->rotor]);
     double *variable = course->variables + WHIRL_VARIABLE_STATIONS;
     course->variables[WHIRL_VARIABLE_TIME] = runup_time_of(r, x);

@@ -270,7 +270,7 @@ void runup_carry_together(size_t count, runup_task *tasks) {
         for (size_t i = 0; i < group.count; i++)
             runup_open(&group.members[i].r, tasks[first + i].running, tasks[first + i].plan, tasks[first + i].run);
         runup_carry_group(&group);
-        // Machines of lanes outlive them.
+        // Free the lanes before the machines that they use.
         for (size_t i = 0; i < group.ensembles; i++) runup_lanes_free(group.lanes[i]);
         for (size_t i = 0; i < group.count; i++) {
             tasks[first + i].status = group.members[i].r.status;

@@ -168,7 +168,7 @@ static bool goes_round(cloud *c, double number) {
     double way = 0.0, reach = 0.0;
     for (size_t i = 0; i < c->ordered; i++) {
         const size_t n = c->count - c->ordered + i;
-        // The place and the index in one number, to be sorted together.
+        // Pack the place and the index into one number, to sort them together.
         c->sorted[i] = floor(rotation_fraction((double)n * number) * 1e9) * 1e5 + (double)n;
         reach = fmax(reach, sqrt(rotation_dot(c->points + n * d, c->points + n * d, d)));
     }

@@ -119,7 +119,7 @@ settling_map settling_map_find(const section *all, double size, double rounding)
     if (!(residual <= well_fit)) return found;
     const double apart = fabs(second.rate - first.rate), scatter = residual / sqrt((double)half);
     found.rate = (whirl_estimate){whole.rate, fmax(0.5 * apart, 0.1 * scatter)};
-    // Rates over an amplitude A: ds/dt over s^2 is 0 for a linear map, 1/2 for x' = -x^2, at least 2 on the way to a
+    // The bend is ds/dt over s^2 for the rate s: 0 for a linear map, 1/2 for x' = -x^2, at least 2 on the way to a
     // circle in Hopf's normal form.
     found.bend = (second.rate - first.rate) / (whole.rate * whole.rate * (double)half);
     found.bend_error = 0.1 * scatter / (whole.rate * whole.rate * (double)half);

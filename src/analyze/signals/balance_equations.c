@@ -77,7 +77,7 @@ double balance_condition(const balance_normal *of, double *significance) {
     for (size_t i = 0; i < n; i++) significance[i] = NAN;
     if (!square) return NAN;
     double *values = square + all * all, *vectors = values + all, condition = NAN;
-    // A Hermitian matrix A + i B as the symmetric one of [A -B; B A], which has each eigenvalue twice.
+    // Write the Hermitian matrix A + i B as the symmetric one [A -B; B A], which has each eigenvalue twice.
     for (size_t i = 0; i < n; i++)
         for (size_t j = 0; j < n; j++) {
             square[i * all + j] = square[(n + i) * all + n + j] = creal(of->matrix[i][j]);

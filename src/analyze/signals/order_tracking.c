@@ -157,7 +157,7 @@ whirl_status whirl_signals_angle(const double *instants, size_t pulses, const do
                               i, time[i], instants[0], instants[pulses - 1]);
         const size_t before = sample_before(instants, pulses, time[i]), k = before + 2 > pulses ? pulses - 2 : before;
         const revolution turn = revolution_at(instants, pulses, k);
-        // The cubic is monotone: bisection to 2^-60 of a turn.
+        // The cubic is monotone: bisect to 2^-60 of a turn.
         double low = time[i] >= turn.last ? 1.0 : 0.0, step = time[i] > turn.first ? 0.5 : 0.0;
         for (int halved = 0; low < 1.0 && halved < 60; halved++, step *= 0.5)
             if (instant_at(&turn, low + step) <= time[i]) low += step;

@@ -34,7 +34,7 @@ whirl_status whirl_signals_rain_flow(const double *values, size_t count, double 
     double *open = points + count;
     const size_t turning = rain_flow_turning(values, count, points);
 
-    // Points whose ranges are not counted yet; the first one is the standard's starting point.
+    // `open` has the points whose ranges are not counted yet; the first one is the standard's starting point.
     size_t left = 0;
     for (size_t i = 0; i < turning; i++) {
         open[left++] = points[i];

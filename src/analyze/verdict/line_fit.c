@@ -70,7 +70,7 @@ static bool plan_make(const whirl_spectrum *spectrum, const line_bases *bases, f
     const double apart = told_apart * spectrum->resolution;
     bool there[2] = {false, bases->count < 2};
     *plan = (fit_plan){.base_count = bases->count};
-    // Lines of the spectrum, the largest first; then combinations up to the third.
+    // Add the lines of the spectrum, the largest first; then combinations up to the third.
     for (size_t i = 0; i < spectrum->line_count; i++) {
         const line_combination of = line_combination_of(bases, spectrum->lines[i].order, spectrum->resolution);
         plan_add(plan, spectrum->lines[i].order, &of, apart);

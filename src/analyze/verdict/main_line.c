@@ -116,8 +116,8 @@ main_line main_line_find(const whirl_record *record) {
         if (best) spectrum = own;
     }
     // Find a second frequency, and see how both change. A high multiple of one frequency may match a line by chance: if
-    // the frequencies found do not explain the motion, a line that only a high multiple matches is tried as the second
-    // one.
+    // the lines found change or do not explain the motion, a line that only a high multiple matches is tried as the
+    // second one.
     if (spectrum) {
         const line_bases one = {.count = 1, .orders = {found.order}};
         const whirl_line *second = unmatched_line(spectrum, &one, MAX_MULTIPLE),

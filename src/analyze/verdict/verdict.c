@@ -24,7 +24,7 @@ static const double sigmas = 3.0;
 /// Return distance that is required without a followed perturbation: near rounding.
 static const double blind_tolerance = 1e-9;
 
-/// Decimal digits to which the averages of a quasi-periodic motion must agree, and those of chaos may.
+/// Decimal digits to which the averages of a quasi-periodic motion must at least agree, and those of chaos may at most.
 static const double regular_digits = 2.5, irregular_digits = 6.0;
 
 /// Exponents of this size and below count as zero; largest error of a torus's zero exponent.
@@ -236,10 +236,10 @@ static bool is_smooth(const whirl_verdict *v) {
 
 /// Judges a regular motion. If a phase that does not repeat after whole revolutions drives it, and perturbations decay,
 /// it has two frequencies, that phase's and the shaft's. Closed curves with a rotation number are two frequencies, too.
-/// Without a rotation number the second exponent decides. If it is clearly negative, the regime stays that of the
-/// curves. If it is zero, the section is a surface, and there are three frequencies. If it is neither, the number of
-/// frequencies stays open for a single curve, and for averages that agree as only those of smooth tori do; otherwise
-/// the regime stays that of the curves.
+/// Without a rotation number the second exponent decides. If it is zero, the section is a surface, and there are three
+/// frequencies. If it is neither zero nor clearly negative, the number of frequencies stays open for a single curve,
+/// and for averages that agree as only those of smooth tori do. In all other cases curves mean two frequencies, and
+/// without curves the motion is undetermined.
 static whirl_verdict regular_verdict(const evidence *e) {
     whirl_verdict verdict = open_verdict(e);
     verdict.exponent = estimate_regular_mean(e->growth, e->growth_count, 1);

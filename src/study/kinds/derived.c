@@ -56,8 +56,8 @@ static bool derived_begin(derived *d, const whirl_study *study, const whirl_batc
     return true;
 }
 
-/// Notes a derivative. A change of the number by less than 1e-9 of it for the whole parameter is rounding: it is noted
-/// as 0.
+/// Notes a derivative. It is noted as 0 if it is rounding: if a change of the parameter by its whole value would change
+/// the number by less than 1e-9 of it.
 static void derived_note(derived *d, size_t number, size_t parameter, double slope, double error) {
     const double noise =
         d->parameters[parameter] == 0.0 ? 0.0 : 1e-9 * fabs(d->found[number] / d->parameters[parameter]);
@@ -121,8 +121,8 @@ static whirl_status derived_levels(double reach, size_t count, derived_fn *compu
 
 /// Derives numbers [count] at h = 0: slopes and their errors, NaN if they cannot be found. Distances begin at `reach`.
 /// They begin nearer if machines there are impossible or have no place of rest. If the error of some slope is above
-/// 1e-8 of it, they begin once more nearer: a number that is not smooth a little further away, as near a double mode,
-/// is smooth there.
+/// 1e-8 of it, a second series begins at a sixteenth of the distance: a number that is not smooth a little further
+/// away, as near a double mode, is smooth there.
 static whirl_status derived_extrapolate(double reach, size_t count, derived_fn *compute, const void *of, double *slopes,
                                         double *errors) {
     enum { NEARER = 7 };
@@ -417,7 +417,7 @@ static void path_extreme(const derived_path *path, double sign, double *out) {
 static void path_synchronous(const derived_path *path, size_t instants, size_t part, bool lags, double *out) {
     double real = 0.0, imaginary = 0.0;
     for (size_t p = 0; p < path->width; p++) {
-        // Sums of z exp(-i tau) for x, y, and (x + iy)/2, (x - iy)/2.
+        // Compute the sums of z exp(-i tau) for x, y, and (x + iy)/2, (x - iy)/2.
         double xr = 0.0, xi = 0.0, yr = 0.0, yi = 0.0;
         for (size_t k = 0; k < path->all; k++) {
             const double tau = two_pi * (double)(k % instants) / (double)instants, weight = 2.0 / (double)path->all;
@@ -552,7 +552,7 @@ whirl_status derived_of_motion(const whirl_study *study, const whirl_batch *batc
     if (!derived_begin(&d, study, batch, value, machine->system, layout, block)) return whirl_ok();
     const whirl_verdict verdict = whirl_block_verdict(layout, block);
     if (verdict.regime != WHIRL_PERIODIC || verdict.period < 1) return whirl_ok();
-    // Tolerances are as fine for the batch's smallest lengths as usual ones are for the unit.
+    // A batch with a smaller absolute tolerance than the usual 1e-9 gets orbits that are finer in the same ratio.
     const bool stiff = strcmp(batch->integrate.method, "rodas5p") == 0;
     derived_motion m = {.of = &d, .options = orbit_options_by(batch->integrate.method, stiff ? 1e-10 : 1e-13)};
     if (batch->integrate.atol < 1e-9) m.options.integrate.atol *= batch->integrate.atol / 1e-9;

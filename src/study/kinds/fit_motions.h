@@ -38,7 +38,7 @@ typedef struct fit_motions {
 whirl_status fit_motions_make(fit_motions *m);
 void fit_motions_free(fit_motions *m);
 
-/// Makes motions with the same kept orbits. WHIRL_NO_MEMORY. Freed likewise.
+/// Makes motions with the same kept orbits. WHIRL_NO_MEMORY. Freed by fit_motions_free, after a failure, too.
 whirl_status fit_motions_copy(const fit_motions *from, fit_motions *to);
 
 /// Evaluates residuals [numbers], model less measured over noise, and their derivatives [numbers][unknowns], as

@@ -146,7 +146,7 @@ static double statistics_number(const whirl_fit_number *number, const double *f,
     }
 }
 
-/// Returns the scatter of a number: the standard error of the mean of those of parts of the record.
+/// Returns the scatter of a number: the standard error of its mean over parts of the record.
 static double statistics_scatter(const whirl_fit_number *number, const double *f, size_t count, size_t instants,
                                  double *work) {
     const size_t part = count / instants / STATISTICS_PARTS * instants;

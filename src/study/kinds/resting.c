@@ -135,7 +135,7 @@ static void long_point_collect(void *context, double turns, const void *bytes, s
     own->bytes = copy;
     own->size = size;
     own->turns = turns;
-    // A point by itself has nothing to wait for.
+    // A single point need not wait for others.
     if (own->all->count == 1) long_points_save(own->all);
 }
 
@@ -235,7 +235,7 @@ static whirl_status resting_analyze(worker *w, size_t slot, const resting_machin
     point.critical = w->found;
     point.before = own->before;
     double *elsewhere = NULL;
-    // The run of a record has options of its own, and a motion that sensors see.
+    // A run of a record in a data set has its own options, and its motion is kept for the sensors.
     whirl_record_options options = w->pass->record;
     whirl_run_motion motion;
     if (machine->run) options.runup = *machine->run;

@@ -17,12 +17,12 @@ whirl_batch varied_batch(const whirl_batch *batch, const char *name, double x, v
     return out;
 }
 
-/// Returns the batch with parameter `name` in place of its own parameter, which all machines then have at `value`.
+/// Returns the batch with `name` as its parameter. All machines have the batch's own parameter at `value`.
 static whirl_batch varied_along(const whirl_batch *batch, const char *name, double value, varied_given given) {
     double own = value;
     whirl_batch out = varied_batch(batch, name, value, given, &own);
     if (out.given != given) return out; // the parameter is the batch's own
-    // The parameter itself comes last.
+    // varied_batch has put `name` last; the batch's own parameter takes its place.
     out.given_count--;
     if (*out.parameter) given[out.given_count++] = (whirl_given){batch->parameter, value};
     snprintf(out.parameter, sizeof out.parameter, "%s", name);

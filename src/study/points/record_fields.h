@@ -20,7 +20,7 @@ whirl_status records_note(const whirl_batch *batch, size_t point, const whirl_ma
 whirl_status records_run_new(const whirl_batch *batch, const whirl_machine *machine, whirl_run_motion *motion);
 void records_run_free(whirl_run_motion *motion);
 
-/// Notes a record likewise, from the motion of its run.
+/// Notes a record as records_note does, from the motion of its run.
 whirl_status records_note_run(const whirl_batch *batch, size_t point, const whirl_machine *machine,
                               const whirl_run_motion *motion, const whirl_layout *layout, double *block);
 

@@ -20,8 +20,8 @@ typedef struct tracker {
 /// Begins the progress of a run, whose planned work is `revolutions`, and its clock.
 void tracker_begin(tracker *tracker, const whirl_run_options *options, double revolutions);
 
-/// Begins a stage of `points` points. A round of refinement has revolutions of its own; all other stages share those
-/// given to tracker_begin.
+/// Begins a stage of `points` points. The stages of a study's own points share the revolutions given to tracker_begin;
+/// every round of refinement, of starts from neighbours or of followed motions has its own.
 void tracker_stage(tracker *tracker, whirl_stage stage, size_t points);
 void tracker_round(tracker *tracker, int round, size_t points, double revolutions);
 
