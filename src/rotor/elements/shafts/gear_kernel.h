@@ -39,13 +39,12 @@ static inline void KERNEL(closing)(const element *own, const kernel_view *view, 
     *rate = n_add(*rate, n_scale(turn, n_add(n_scale(c, sine), n_scale(e, cosine))));
 }
 
-static inline void KERNEL(switches)(const element *own, const kernel_view *view, const num *d, const num *w,
-                                    const num *s, num *values) {
+/// Writes the switches of a mesh with a closing.
+static inline void KERNEL(mesh_switches)(const element *own, const kernel_view *view, num closing, const num *s,
+                                         num *values) {
     const size_t stride = view->stride;
     int next = 0;
     if (own->law & GEAR_PLAY) {
-        num closing, rate;
-        KERNEL(closing)(own, view, d, w, s, &closing, &rate);
         values[next++] = n_sub(closing, n_of(view->number[GEAR_GAP * stride]));
         values[next++] = n_add(closing, n_of(view->number[GEAR_GAP * stride]));
     }
@@ -58,6 +57,13 @@ static inline void KERNEL(switches)(const element *own, const kernel_view *view,
     }
 }
 
+static inline void KERNEL(switches)(const element *own, const kernel_view *view, const num *d, const num *w,
+                                    const num *s, num *values) {
+    num closing = n_set(0.0), rate;
+    if (own->law & GEAR_PLAY) KERNEL(closing)(own, view, d, w, s, &closing, &rate);
+    KERNEL(mesh_switches)(own, view, closing, s, values);
+}
+
 static inline void KERNEL(force)(const element *own, const kernel_view *view, const num *d, const num *w, const num *s,
                                  num *force, num *slope) {
     const size_t stride = view->stride;
@@ -65,7 +71,7 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
     num closing, rate, at[KERNEL_SWITCHES];
     vec_mask above[KERNEL_SWITCHES];
     KERNEL(closing)(own, view, d, w, s, &closing, &rate);
-    KERNEL(switches)(own, view, d, w, s, at);
+    KERNEL(mesh_switches)(own, view, closing, s, at);
     for (int i = 0; i < (int)GEAR_SWITCHES(own); i++)
         above[i] = v_less(v_set(0.0), view->sides ? view->sides[(size_t)i * stride] : n_value(at[i]));
     num stiffness = n_of(number[GEAR_STIFFNESS * stride]);
