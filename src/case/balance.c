@@ -368,7 +368,7 @@ static void read_phasor(case_reader *reader, const file_node *at, const setting_
     }
 }
 
-/// Reads one reading; it follows those in out->vibrations.
+/// Reads one reading into `seen`, which follows the earlier readings in out->vibrations.
 static void read_reading(case_reader *reader, const file_node *at, const whirl_balance *out,
                          whirl_balance_vibration *seen) {
     setting_list item;
@@ -442,7 +442,7 @@ static void read_slow_roll(case_reader *reader, const setting_list *file, whirl_
             if (strcmp(other->probe, seen->probe) == 0 && *seen->probe)
                 problem_at(reader->problems, at, "is a second slow roll of '%s', expected one for a probe",
                            seen->probe);
-        // Subtract it from the readings of its probe, of which there has to be one.
+        // Subtract the slow roll from the readings of its probe, which has to have one at least.
         for (size_t i = 0; i < out->vibration_count; i++) {
             if (strcmp(out->vibrations[i].probe, seen->probe) != 0) continue;
             read = true;

@@ -16,7 +16,8 @@ static const file_node *oil_place(const setting_list *file, const char *key) {
     return given ? given->place : file->place;
 }
 
-/// Returns the way in which the viscosity is given; WAYS if there is none or there are several, which are problems.
+/// Returns the way in which the viscosity is given; WAYS, with a problem reported, if there is none or there are
+/// several.
 static int way_of(case_reader *reader, const setting_list *file) {
     int given = 0, last = WAYS;
     for (int i = 0; i < WAYS; i++)

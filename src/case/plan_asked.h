@@ -10,8 +10,8 @@
 /// Reads the list of numbers of a setting, each with the keys of a group; nothing for NULL.
 void asked_read(case_reader *reader, const setting *of, const whirl_group *group, asked_parts *out);
 
-/// Notes which of the numbers the points of a batch have. Reports one whose station, row or column they lack, whose
-/// limit has another unit, or which cannot be differentiated (`derived`).
+/// Notes which of the numbers the points of a batch have. Reports a number whose station, row or column the points
+/// lack, whose limit has another unit, or which cannot be differentiated (`derived`).
 void asked_check(case_reader *reader, asked_parts *asked, const whirl_batch *batch, const whirl_layout *layout,
                  const machine_parts *machine, const whirl_rotor *rotor, bool derived);
 

@@ -38,8 +38,8 @@ void plan_raise_order(const plan_parts *parts, const whirl_system *system, whirl
 /// there is none.
 double plan_smallest_gap(const whirl_system *system);
 
-/// Lowers the absolute tolerance of a batch to 1e-9 of the machine's smallest gap, unless `integrate` gives one: a
-/// large length scale does not make the motion in a small gap coarse.
+/// Lowers the absolute tolerance of a batch to 1e-9 of the machine's smallest gap, unless `integrate` gives one: so
+/// that a large length scale does not make the motion in a small gap coarse.
 void plan_lower_tolerance(const plan_parts *parts, const whirl_system *system, whirl_batch *batch);
 
 /// Sets the starts of a batch of motions, and their options.

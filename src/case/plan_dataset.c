@@ -379,7 +379,7 @@ static bool check_sampling(case_reader *reader, const dataset_parts *own, whirl_
 
 // ---------------------------------------------------------------- the motions behind the samples
 
-/// Finds the slowest and the fastest speed of the records, rad/s. If there are more than MAX_TRIED, it tries every few
+/// Finds the slowest and the fastest speed of the records, rad/s. If there are more than MAX_TRIED, it tries every n-th
 /// of them, and adds a margin.
 static whirl_status find_speeds(valuation *v, const dataset_parts *own, const whirl_batch *batch, double speeds[2]) {
     enum { MAX_TRIED = 20000 };
@@ -505,7 +505,8 @@ whirl_status dataset_run(const setting_list *keys, const whirl_batch *batch, val
                               from, to, rate);
         course_set_rate(course, from, to, rate);
     }
-    // Let the shaft turn at the first speed before, so that it has its angle at the first sample.
+    // Let the shaft turn at the first speed before the record, so that it has the angle of the record at the first
+    // sample.
     const double first = shown->speeds[0], turn = 6.283185307179586476925;
     const double lead = whirl_dataset_lead(&batch->record.dataset, first);
     const whirl_record_of record =

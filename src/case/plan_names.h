@@ -18,7 +18,7 @@ bool plan_check_free(case_reader *reader, const file_node *where, const paramete
 /// Reads a value that a condition, or a change, gives to a parameter.
 void plan_read_given(case_reader *reader, const file_node *where, condition_parts *condition);
 
-/// Reads the key `change`: parameters with the values that they have after it.
+/// Reads the key `change`: parameters with the values that they have after the change.
 void plan_read_change(case_reader *reader, setting_list *keys, condition_parts *change);
 
 #endif

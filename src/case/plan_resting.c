@@ -126,7 +126,7 @@ static void read_conditions(case_reader *reader, plan_parts *parts) {
 
 static void read_one(case_reader *reader, const file_node *where, const whirl_group *group,
                      const machine_parts *machine, plan_parts *parts) {
-    // Add a study, of which there may be only so many.
+    // Add a study, unless there are too many.
     static const char *const keys[] = {"from", "to", "points", "step", "scale", "values"};
     if (parts->resting_count == PLAN_MAX_RESTING) {
         problem_at(reader->problems, where,

@@ -56,7 +56,8 @@
 /// shaft; the twist about z, from x towards y, without the steady rotation; and the displacement along z.
 typedef enum axis { AXIS_X, AXIS_Y, AXIS_TILT_X, AXIS_TILT_Y, AXIS_TWIST, AXIS_AXIAL, AXES } axis;
 
-/// Numbers of a station that moves in x and y, without those that depend on its position; see station_kernel.h.
+/// Numbers of a station that moves in x and y, for the station pass (station_kernel.h). Forces that depend on its
+/// displacement are linear terms or elements.
 enum { STATION_DAMPING, STATION_UNBALANCE_COS, STATION_UNBALANCE_SIN, STATION_PULL_X, STATION_PULL_Y, STATION_NUMBERS };
 
 /// Indices of the forcing (whirl_system.forcing): cosine and sine of tau and of 2 tau.
@@ -251,9 +252,9 @@ void assembly_damping(assembly *to, size_t row, size_t by, double damping);
 void assembly_spring(assembly *to, size_t one, size_t other, double stiffness);
 void assembly_damper(assembly *to, size_t one, size_t other, double damping);
 
-/// Adds -mass times the acceleration of the coordinate `by` to the force on `row` and, if these are two coordinates,
-/// the same with both exchanged: a number of the mass matrix. mass: kg, with tilts kg m or kg m2. Adds nothing if one
-/// of them is NO_COORDINATE.
+/// Adds a number of the mass matrix: -mass times the acceleration of the coordinate `by` to the force on `row` and, if
+/// these are two coordinates, -mass times the acceleration of `row` to the force on `by`. mass: kg, with tilts kg m or
+/// kg m2. Adds nothing if one of them is NO_COORDINATE.
 void assembly_inertance(assembly *to, size_t row, size_t by, double mass);
 
 /// Adds a mass that resists the acceleration of one coordinate relative to another (an inerter: Smith 2002). One of

@@ -13,7 +13,7 @@
 typedef enum body_source { BODY_PLACE, BODY_VELOCITY, BODY_ONE } body_source;
 
 /// Rates that scale a body's numbers when time is tau = clock t. Each rate is the next one times a factor that is
-/// finite at every speed, so that their sums can use Horner's scheme.
+/// finite at every speed, so that the sum over the rates can use Horner's scheme.
 typedef enum body_rate {
     RATE_GYRO,      ///< speed/clock: terms of velocities, proportional to the speed (gyroscopic moments)
     RATE_FOLLOWING, ///< speed/clock^2: terms of displacements, proportional to the speed (viscous internal damping)

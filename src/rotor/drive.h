@@ -21,7 +21,7 @@ typedef struct shaft_drive {
     double load, linear, quadratic; ///< N m, N m s, N m s2: the load is load + linear w + quadratic w |w|
 } shaft_drive;
 
-/// Returns the torque of the motor at a speed in rad/s, N m. Beyond the ends of its table it is the value there.
+/// Returns the torque of the motor at a speed in rad/s, N m. Beyond an end of its table the torque is that at the end.
 double drive_torque(const shaft_drive *drive, double speed);
 
 /// Returns the torque of the load against the rotation, N m. Dry friction (`load`) acts fully at speeds from `slip`,

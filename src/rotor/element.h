@@ -244,9 +244,9 @@ typedef struct whirl_element_type {
     /// `jumps` denies it), or the stator moves or does not surround the rotor.
     bool (*contact_damped)(const element *own);
 
-    /// Optional: number of control loops; and for one of them the effect of a signal, added to the sensor's signal, on
-    /// the accelerations of the ports and the slopes of the element's states, and the derivative of the sensor's signal
-    /// by the ports' displacements.
+    /// Optional: number of control loops; and the input and output of one of them. acceleration, slope: derivatives of
+    /// the accelerations of the ports and of the slopes of the states by a signal that is added to the sensor's.
+    /// sensed: derivatives of the sensor's signal by the displacements of the ports.
     size_t loops;
     void (*loop)(const element *own, const double *q, const double *states, size_t index, double *acceleration,
                  double *slope, double *sensed);
@@ -314,8 +314,8 @@ static inline bool element_housing_stands(const element *own) {
     return own->port[2] == NO_COORDINATE && own->port[3] == NO_COORDINATE;
 }
 
-/// Implements element_type.drag for an oil film with a clearance in m: the shear over the mean of 1/h, as if the film
-/// were full, and half of the couple of its force on either side.
+/// Implements element_type.drag for an oil film with a clearance in m: the shear by the mean of 1/h, as if the film
+/// were full, and half of the couple of the film's force on either side.
 void drag_of_film(const element *own, const drag_view *in, double clearance, double torque[2]);
 
 /// Elements of the library in the order in which they act, terminated by NULL. The order fixes the last bits of a sum.

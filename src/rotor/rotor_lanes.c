@@ -102,7 +102,7 @@ static void lane_depends(const void *model, bool *table) {
     // Rotating forces depend on the shaft's phase if that is a state.
     for (size_t i = 0; rotor->phase && i < degrees + rotor->lanes.states; i++)
         table[i * width + degrees + rotor->phase] = true;
-    // Accelerations that are coupled by mass depend on everything on which one of them depends.
+    // Accelerations that are coupled by mass each depend on everything on which any of them depends.
     for (size_t c = 0; c < width; c++) {
         bool any = false;
         for (size_t i = 0; i < coupled->count; i++) any |= table[coupled->row[i] * width + c];

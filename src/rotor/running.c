@@ -214,9 +214,10 @@ static whirl_status running_sample(const running_rotor *r, whirl_machine_at *mak
     return status;
 }
 
-/// Returns the lift of a number, by its values at the two lowest speeds, w [2]: towards low speeds stiffnesses grow as
-/// 1/w^2, dampings as 1/w, and ratios do not grow. Below its first node a spline keeps its value, so that with another
-/// lift a number would vanish or grow without limit there.
+/// Returns the lift of a number: the power of w by which it is multiplied before the spline is fitted. The lift follows
+/// from the values at the two lowest speeds, w [2]: towards low speeds stiffnesses grow as 1/w^2, dampings as 1/w, and
+/// ratios do not grow. Below its first node a spline keeps its value, so that with another lift a number would vanish
+/// or grow without limit there.
 static int spline_find_lift(const double *w, double lowest, double next) {
     const double growth = log(fabs(lowest / next)) / log(w[1] / w[0]);
     return growth > 1.5 ? 2 : growth > 0.5 ? 1 : 0; // 0 also where it is not a number
@@ -319,8 +320,8 @@ static double running_geared_lever(const running_rotor *r, size_t index, double 
     return own.type->lever(&own, w * r->unit, states, lever);
 }
 
-/// Counts the unbalances that turn at fixed ratios of the speed, and sums their effect on the inertia of the shaft: the
-/// mass m of a station at the distance U/m from the axis, times the square of the ratio.
+/// Counts the unbalances that turn at fixed ratios of the speed, and sums their effect on the inertia of the shaft: m
+/// (U/m)^2 for an unbalance U at a station of mass m, times the square of the ratio.
 static void running_count_geared(running_rotor *r) {
     const whirl_rotor *rotor = r->rotor;
     running_numbers_at(r, 1.0);

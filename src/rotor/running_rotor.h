@@ -86,8 +86,8 @@ typedef struct running_rotor {
     double *splines; ///< all of them
     double lowest_node, node_distance;
     /// [degrees] Effect of turning unbalances on each coordinate, by the values C and S of the forcing: accelerations
-    /// at a speed of 1 unit (own_), and forces divided by the square of the speed, kg, or kg m2, of a unit of the
-    /// coordinate (force_). lost_ is the same for the unbalances of `lose`.
+    /// at a speed of 1 unit (own_), and forces divided by the square of the speed, kg m, of tilts kg m2 (force_).
+    /// Arrays lost_ have the effect of the unbalances of `lose`.
     double *own_cos, *own_sin, *force_cos, *force_sin;
     double *lost_cos, *lost_sin, *lost_force_cos, *lost_force_sin;
     double *lever_force, *lever_acceleration;   ///< [degrees] workspace: levers of theta'' on a coordinate

@@ -159,7 +159,7 @@ const char *parameter_expected_unit(const parameter *item) {
     return item->unit[0] ? item->unit : item->taken_as;
 }
 
-/// Notes that a parameter is the value of a key, for that parameter and for those that it equals.
+/// Notes the unit of a key whose value is a parameter alone, for this parameter and for those that it equals in turn.
 static void note_use(const parameter_table *parameters, const char *expression, const char *unit) {
     parameter *item = sole_name(parameters, expression);
     for (size_t depth = 0; item && depth < parameters->count && !item->taken_as[0]; depth++) {

@@ -59,7 +59,7 @@ static size_t edit_end(const char *text, size_t length, const file_node *node) {
     return behind_bracket(text, length, end, node->kind == NODE_LIST ? ']' : '}');
 }
 
-/// Finds the bytes of a list. For one with dashes, these are all bytes after its key, since a bracketed list may need
+/// Finds the bytes of a list. Those of a list with dashes are all bytes after its key, since a bracketed list may need
 /// another indent.
 static void list_extent(const char *text, size_t length, const file_node *list, size_t *from, size_t *to) {
     const file_node *end = list->last ? list->last : list;

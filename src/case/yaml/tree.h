@@ -20,7 +20,8 @@ typedef struct file_node {
     bool quoted;              ///< the text was quoted
     const char *key;          ///< key of a mapping's member, else NULL
     int key_line, key_column; ///< place of that key
-    /// Numbers of characters before the value, and up to and with its last one (of a list or mapping: its first one).
+    /// Number of characters before the value; number up to the end of its last character (of a list or mapping: of its
+    /// first one).
     size_t from, to;
     size_t key_from;          ///< characters before the key
     bool flow;                ///< the list or mapping is written with brackets

@@ -26,7 +26,7 @@ static whirl_status with_element(building *b, size_t index, whirl_status status)
     return whirl_ok();
 }
 
-/// Returns the most numbers that an element of a type may have, whatever its `build` makes of it.
+/// Returns the maximum number of numbers of an element of a type, whether `build` keeps the type or sets its variant.
 static size_t most_numbers(const element_type *type) {
     const size_t other = type->variant ? type->variant->number_count : 0;
     return type->number_count > other ? type->number_count : other;

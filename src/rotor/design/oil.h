@@ -19,8 +19,8 @@ enum {
     OIL_KEYS
 };
 
-/// Rows of the tables of keys. A viscosity in cSt requires the density. With one in Pa s it is optional, and serves to
-/// check that the film's inertia is negligible.
+/// Rows of the tables of keys. A viscosity in cSt requires the density. With a viscosity in Pa s the density is
+/// optional, and serves to check that the film's inertia is negligible.
 // clang-format off
 #define OIL_ROWS(first, text)                                                                                          \
     [(first) + OIL_DYNAMIC] = NUMBER_KEY("viscosity", "mu", "Pa s", OPTIONAL, WHIRL_POSITIVE, text),                   \

@@ -28,8 +28,8 @@ static double middle_of(const whirl_pad *pad) {
     return pad->pivot + (0.5 - pad->offset) * pad->arc;
 }
 
-/// Returns the film of a pad, with its number of volumes along the arc and along half its length. They are halved for
-/// coarser grids.
+/// Returns the film of a pad, with its number of volumes along the arc and along half its length. Both numbers are
+/// divided by s->coarser.
 static pad_film film_of(const solver *s, const whirl_pad *pad) {
     const int fineness = s->bearing->fineness > 0 ? s->bearing->fineness : FINENESS;
     const double turn = 2.0 * acos(-1.0);
@@ -559,7 +559,7 @@ static void pads_eliminate_pad(const whirl_pads *bearing, const whirl_pad *pad, 
         }
     for (size_t r = 0; r < count; r++)
         for (size_t c = 0; c < count; c++) a[r][c] += tz[r][0] * along[c][0] + tz[r][1] * along[c][1];
-    // Subtract the product with the inverse of the latter.
+    // Subtract Z T (T' Z T + D)^-1 T' Z.
     const double complex determinant = a[0][0] * a[1][1] - a[0][1] * a[1][0];
     if (!(cabs(determinant) > 0.0)) return;
     const double complex inverse[2][2] = {{a[1][1] / determinant, -a[0][1] / determinant},

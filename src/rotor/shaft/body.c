@@ -110,7 +110,7 @@ static bool is_dense(const body_row *rows, size_t count, body_input *inputs) {
     return true;
 }
 
-/// Returns the most inputs that one row has alone, or 0 if separating them saves nothing.
+/// Returns the largest number of inputs that a row has alone, or 0 if separating them saves nothing.
 static size_t count_lone(size_t count, const body_input *first, const body_input *last) {
     size_t most = 0, all = 0, own[PANEL_ROWS] = {0};
     for (const body_input *input = first; input < last; input++)

@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/// The problem K_II Phi = M_II Phi w^2, and Psi. Its arrays are the caller's.
+/// The problem K_II Phi = M_II Phi w^2, and Psi. The caller owns the arrays.
 typedef struct inner_modes {
     size_t inner, kept;
     const double *k, *m; ///< [inner][inner]

@@ -45,7 +45,7 @@ static void keep_pair(reducing *r, const assembly_station *at, axis along) {
     r->kept[at->coordinate[along + 1]] = true;
 }
 
-/// Keeps all coordinates that a kernel sees, and those across them.
+/// Keeps all coordinates that a kernel sees, and the coordinates along the other axis at the same nodes.
 static void keep_ports(reducing *r, const element *elements, size_t count) {
     bool *seen = r->kept;
     for (size_t i = 0; i < count; i++)

@@ -9,8 +9,8 @@
 //     f = sign(v_t) (f_k + (f_s - f_k) e^(-(v_t/v_s)^2)) + s_2 v_t,    sign smooth as v_t/sqrt(v_t^2 + v_0^2), or
 //     f = s_0 z + s_1 z' + s_2 v_t,  z' = v_t - s_0 |v_t| z/g(v_t)
 //
-// for bristles (LuGre) with the deflection z, where g is the first line's bracket. They spring back while nothing
-// touches, z' = -(s_0/s_1) z.
+// for bristles (LuGre) with the deflection z, where g is the first line's bracket. The bristles spring back while
+// nothing touches, z' = -(s_0/s_1) z.
 //
 // The switches are d, 1 + chi d', the slip times r, and the arc. A switch that a law does not use is 1.
 

@@ -8,7 +8,7 @@
 ///
 /// where the sums are over m/FILM_IN_P + n/FILM_IN_B <= 1, with the coefficients of film_table.h. Near the wall the
 /// coefficients are not known. There g moves p and b back towards the middle: g = 1 - (1 - FILM_BACK) z^2 with
-/// z = max(0, 1 - q/(c^2 FILM_FOLD)), q = c^2 - x^2 - y^2. It is 1 up to the eccentricity ratio .95, FILM_BACK at the
+/// z = max(0, 1 - q/(c^2 FILM_FOLD)), q = c^2 - x^2 - y^2. g is 1 up to the eccentricity ratio .95, FILM_BACK at the
 /// wall, and continuous with its slope.
 #ifndef ROTOR_FILM_RATIO_H
 #define ROTOR_FILM_RATIO_H

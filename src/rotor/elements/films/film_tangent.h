@@ -1,8 +1,9 @@
 /// The derivative of a film's force on its journal (film_kernel.h), in closed form.
 ///
 /// The force is f = -(1/q)(X, Y) with X = x T + B G + A S, Y = y T - A G + B S, where T = 3(2C + P G)/q, S = -E U,
-/// E = 2C/D. Its variables are x, y and (A, B) in polar form: it grows with C in proportion, and by their angle beta
-/// (dA = -B, dB = A) P, U and G have the derivatives U, -P and E U. At fixed A, B, with D_x = -2 A U,
+/// E = 2C/D. It depends on x, y and (A, B), which is taken in polar form: the force is proportional to C = |(A, B)|,
+/// and by the angle beta of (A, B) (dA = -B, dB = A) P, U and G have the derivatives U, -P and E U. At fixed A, B, with
+/// D_x = -2 A U,
 ///
 ///     G_x = E B + x H,   G_y = -E A + y H,   H = (E P + G)/q,
 ///     S_x = -A K,   S_y = -B K,   S_beta = P K,   K = E (1 + 2 U^2/D),

@@ -5,9 +5,10 @@
 ///
 ///     M(rate) = spring s + damper rate + (c, d) f(p, r)
 ///
-/// grows with the rate, since films dissipate. It has one zero, which Newton's method finds within a bracket. If p > 0
-/// the method starts at the zero of a pad without spring and damper, r = lean p, where `lean` depends on the journal's
-/// position alone; otherwise at rate 0. Lanes that have converged stay there: no lane depends on its neighbours.
+/// grows with the rate, since films dissipate. The moment has one zero, which Newton's method finds within a bracket.
+/// If p > 0 the method starts at the zero of a pad without spring and damper, r = lean p, where `lean` depends on the
+/// journal's position alone; otherwise at rate 0. Lanes that have converged stay there: no lane depends on its
+/// neighbours.
 #ifndef ROTOR_PADS_BALANCE_H
 #define ROTOR_PADS_BALANCE_H
 

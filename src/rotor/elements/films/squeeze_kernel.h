@@ -7,8 +7,8 @@
 //
 //     short: v.n/h^3,      long: w.n (1/h + 1/h^2),   w = (2v + r (r.v))/(2 + r^2),
 //
-// It is positive over the half of the circumference around the direction of v or w. With v standing for w in the long
-// damper and
+// The pressure is positive over the half of the circumference around the direction of v or w. With v standing for w in
+// the long damper and
 //
 //     q = 1 - r^2,  p = r.v,  u = y v_x - x v_y,  W = sqrt(q v^2),  D = W^2 + p^2,  M = (W + p angle)/q,  E = u W/D
 //
@@ -20,8 +20,8 @@
 // and W = 0.
 //
 // A cylinder at rest feels no force; the 2^-600 in v^2 keeps its quotients finite. The derivative of the half film
-// jumps there with the direction. It is taken as half that of the whole film, the mean of moving in opposite
-// directions. Beyond the wall (q < 0) the force is not a number, and the motion counts as diverged.
+// jumps there with the direction. The derivative is taken as half that of the whole film, the mean of those for motions
+// in opposite directions. Beyond the wall (q < 0) the force is not a number, and the motion counts as diverged.
 
 /// Computes r and v in clearances; for a long damper, w in place of v.
 static inline void KERNEL(squeeze_motion)(const element *own, vec over_clearance, const num *d, const num *w, num *r,
@@ -45,7 +45,7 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
     // q is 1 minus the square of the eccentricity, p half the rate of that square.
     const num q = n_sub(n_set(1.0), n_fma(r[0], r[0], n_mul(r[1], r[1])));
     const num p = n_fma(r[0], v[0], n_mul(r[1], v[1])), over_q = n_div(n_set(1.0), q);
-    // Only half of the circumference carries with cavitation, otherwise all of it.
+    // With cavitation only half of the circumference carries; without, all of it.
     num W = n_set(0.0), angle = n_set(3.14159265358979323846), E = n_set(0.0);
     if (!(own->law & SQUEEZE_FULL)) {
         W = n_sqrt(n_mul(q, n_fma(v[0], v[0], n_fma(v[1], v[1], n_set(0x1p-600)))));

@@ -1,5 +1,5 @@
-// The mesh of two gears: a spring and damper along the line of action, with play, whose stiffness and error may change
-// with the mesh, a state psi that turns by 2 pi from tooth to tooth.
+// The mesh of two gears: a spring and damper along the line of action, with play. Its stiffness and its error may
+// change with the phase psi of the mesh, a state that turns by 2 pi from tooth to tooth.
 //
 //     delta = n_x (x1 - x2) + n_y (y1 - y2) + r1 theta1 + r2 theta2 + n_z (z1 - z2) - e cos(psi + phi)
 //     F = k(psi) (delta - b) + c delta'    where delta > b,

@@ -14,8 +14,8 @@
 /// with a profile of the stiffness. The rest of the law is the number of harmonics of the profile.
 enum { GEAR_PLAY = 1, GEAR_PAIRS = 2, GEAR_ERROR = 4, GEAR_PROFILE = 8, GEAR_LAWS = 16 };
 
-/// Phases over which linear analyses take means; and most harmonics of a profile, the mean of which these phases give
-/// exactly.
+/// GEAR_PHASES: number of phases of the mesh over which linear analyses take means. GEAR_HARMONICS: maximum number of
+/// harmonics of a profile; up to it the mean over these phases is exact.
 enum { GEAR_PHASES = 16, GEAR_HARMONICS = GEAR_PHASES - 1 };
 
 #define GEAR_SWITCHES(own) (((own)->law & GEAR_PLAY ? 2 : 0) + ((own)->law & GEAR_PAIRS ? 1 : 0))

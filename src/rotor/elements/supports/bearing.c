@@ -370,8 +370,8 @@ static whirl_status check_error(const key_value *values, size_t pairs, double er
         100.0 * error, worst, 2 * pairs, 100.0 * values[FIT_ERROR].number);
 }
 
-/// Fits the rational function. All speeds of the table (or a selection of them) share its poles, so that the function
-/// is as smooth over the speed as the table. Its other numbers are fitted at the machine's own speed.
+/// Fits the rational function. All speeds of the table (or a selection of them) share the poles of the function, so
+/// that it is as smooth over the speed as the table. Its other numbers are fitted at the machine's own speed.
 static whirl_status find_function(const key_value *values, double speed, double inertia[3], rational_fit *fit) {
     rational_sample samples[(size_t)RATIONAL_MAX_SETS * RATIONAL_MAX_SAMPLES];
     const key_value *frequencies = &values[FREQUENCIES], *speeds = &values[SPEEDS];
