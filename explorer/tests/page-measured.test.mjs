@@ -231,7 +231,7 @@ test('bands of tolerances are shaded in the diagram and in the Bode diagram', as
   const angles = tolerances.replace('40 um}', '40 um}, a: {from: -30 deg, to: 30 deg}');
   const rest = await open(makePage('rest-bands', turned + study + angles) + '#part=unbalance');
   await rest.page.waitForSelector('.rest .numbers tbody td');
-  // The lag is that of the response plus the angle's deviation, whose quantiles are known; it is below 0 at low speeds.
+  // The lag is that of the response less the angle of the unbalance, whose quantiles are known; below 0 at low speeds.
   const [restRun] = JSON.parse(await rest.page.textContent('#whirl-runs'));
   const lags = restRun.bands.find(({ field, column }) => field === 'unbalance/probe_lag' && column === 0);
   assert.equal(lags.places.length, 21);

@@ -1,4 +1,5 @@
-"""Rotors of Timoshenko's beam elements, rigid discs and bearings over the speed: a program beside whirl.
+"""An independent finite element program, with which tests compare whirl: rotors of Timoshenko beams, rigid discs and
+bearings over the speed.
 
 It shares nothing with whirl but the equations: Nelson (1980), A finite rotating shaft element using Timoshenko beam
 theory; Friswell, Penny, Garvey, Lees (2010), Dynamics of Rotating Machines, ch. 5 and 6. Matrices of an element are
@@ -28,7 +29,7 @@ def element(length, outer, inner, modulus, shear_modulus, density):
     bending = modulus * second
     shear = cowper(outer, inner, modulus / (2 * shear_modulus) - 1) * shear_modulus * area
     phi = 12 * bending / (shear * length**2)
-    points, weights = np.polynomial.legendre.leggauss(4)  # exact for what is integrated, of degree 6 at most
+    points, weights = np.polynomial.legendre.leggauss(4)  # exact for the integrands, polynomials up to degree 6
     s = (points + 1) / 2
     displacement = np.array(
         [
@@ -83,7 +84,7 @@ class Rotor:
 
     @classmethod
     def of_ross(cls, path, seals=True):
-        """Makes a rotor that ROSS has saved; its tables are interpolated by monotone cubics (Fritsch, Butland 1984)."""
+        """Makes a rotor from a file of ROSS; its tables are interpolated by monotone cubics (Fritsch, Butland 1984)."""
         with open(path, "rb") as file:
             sections = tomllib.load(file)
         of = {
@@ -114,7 +115,8 @@ class Rotor:
     # ---------------------------------------------------------------- small motions
 
     def system(self, speed):
-        """Returns M, C, K of all x coordinates (displacement and slope of each node), then all of y."""
+        """Returns M, C, K over the x coordinates (displacement and slope of each node), followed by the y
+        coordinates."""
         size, (mass, stiffness) = len(self.mass), self._planes
         stiffness, damping = stiffness.copy(), speed * self._gyroscopic
         for node, of in self.bearings:
@@ -126,8 +128,8 @@ class Rotor:
         return mass, damping, stiffness
 
     def modes(self, speed):
-        """Returns the eigenvalues that oscillate, the slowest first, and their whirl: 1 with the rotation, -1 against
-        it."""
+        """Returns the eigenvalues of oscillating modes, the lowest frequency first, and their whirl: 1 with the
+        rotation, -1 against it."""
         mass, damping, stiffness = self.system(speed)
         size = len(mass)
         flow = np.block(
@@ -192,11 +194,12 @@ class Rotor:
         return all[size:], all[:size:2]
 
 
-# -------------------------------------------------------------------- criticals as peaks
+# -------------------------------------------------------------------- critical speeds as peaks
 
 
 def peak(amplitude, low, high):
-    """Returns where an amplitude is largest between two speeds, how large, and the amplification by half power."""
+    """Returns the speed of the largest amplitude between two speeds, this amplitude, and the amplification factor by
+    half power."""
     found = minimize_scalar(lambda s: -amplitude(s), bounds=(low, high), method="bounded", options={"xatol": 1e-5})
     top, half = found.x, -found.fun / np.sqrt(2)
     left, right = (brentq(lambda s: amplitude(s) - half, *ends, xtol=1e-6) for ends in ((low, top), (top, high)))

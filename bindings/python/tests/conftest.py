@@ -29,7 +29,8 @@ study:
   analyze: [poincare, regime, orbit]
 """
 
-# A rotor above its critical speed, which turns within its stator or leans on it all around, as it starts.
+# A rotor above its critical speed with two attractors: depending on its start, it stays off the stator or touches it
+# all around.
 SEVERAL = """
 whirl: 1
 parameters: {omega: 220 rad/s, x0: 0, y0: 0, c: 0.2 mm, kappa: 10}
@@ -60,13 +61,13 @@ PLANE = (
 
 
 def command(*words, **more):
-    """Runs the command; its failure fails the test."""
+    """Runs the command whirl; the test fails if the command fails."""
     return subprocess.run([COMMAND, *map(str, words)], check=True, capture_output=True, text=True, **more)
 
 
 @pytest.fixture(scope="session")
 def good():
-    """The result of the small case, computed here."""
+    """The result of the small case, computed by the package."""
     return whirl.run(whirl.Case(GOOD), threads=2, progress=False)
 
 
@@ -93,17 +94,17 @@ def compute(text):
 
 @pytest.fixture(scope="session")
 def basin():
-    """Starts of one machine that lead to two motions."""
+    """The result of a basin: starts of one machine lead to two motions."""
     return compute(SEVERAL + BASIN)
 
 
 @pytest.fixture(scope="session")
 def starts():
-    """Several starts of every point of a sweep."""
+    """The result of a sweep with several starts for every point."""
     return compute(SEVERAL + SWEEP)
 
 
 @pytest.fixture(scope="session")
 def starts_map():
-    """Several starts of every point of a map."""
+    """The result of a map with several starts for every point."""
     return compute(SEVERAL + PLANE)

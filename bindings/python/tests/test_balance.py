@@ -1,4 +1,4 @@
-"""Weights that `whirl balance` finds on simulated rotors take their vibration away."""
+"""Tests that weights from `whirl balance` remove the vibration of simulated rotors."""
 
 import json
 import subprocess
@@ -77,7 +77,8 @@ def test_weights_take_the_vibration_away(tmp_path, speeds):
 
 
 def test_least_squares_of_one_plane(tmp_path):
-    """The weights are those of numpy: three readings with weights of their own, one plane."""
+    """Tests one plane with readings at three speeds, weighted differently: the correction is that of numpy's least
+    squares."""
     speeds = [250, 300, 420]
     file = {
         "balance": 1,
@@ -103,13 +104,13 @@ def test_least_squares_of_one_plane(tmp_path):
     assert after == pytest.approx(np.abs(before + influence * best), rel=1e-9)
 
 
-# ---------------------------------------------------------------- planes that act nearly alike, limits, what is known
+# ---------------------------------------------------------------- planes that act nearly alike, limits, given influence
 
 PROBES, COUNT = 4, 3
 
 
 def numbers(seed):
-    """Returns influence coefficients in m a kg m [probes][planes], the last two planes nearly alike, and vibrations
+    """Returns influence coefficients in m/(kg m) [probes][planes], nearly equal for the last two planes, and vibrations
     in m."""
     draw = np.random.default_rng(seed)
     influence = draw.normal(size=(PROBES, COUNT, 2)) @ [1, 1j] * 1e-2
@@ -141,7 +142,7 @@ def moments(of):
 
 @pytest.mark.parametrize("seed", range(3))
 def test_planes_that_act_nearly_alike(tmp_path, seed):
-    """Condition, significance and the weights without a plane are those of numpy."""
+    """Tests that the condition number, the significances and the weights without a plane are those of numpy."""
     influence, vibration = numbers(seed)
     found = balance(tmp_path / "b.yaml", known(influence, vibration))
     best = np.linalg.lstsq(influence, -vibration, rcond=None)[0]
@@ -166,8 +167,8 @@ def test_planes_that_act_nearly_alike(tmp_path, seed):
 
 @pytest.mark.parametrize("seed", range(3))
 def test_limits_of_weights(tmp_path, seed):
-    """The weights fulfil the optimality conditions: the slope is zero within a limit, and points inwards at it
-    (Karush, Kuhn, Tucker)."""
+    """Tests that weights fulfil the conditions of Karush, Kuhn and Tucker: the gradient is zero for a weight below its
+    limit, and points inwards for a weight at its limit."""
     influence, vibration = numbers(seed)
     best = np.linalg.lstsq(influence, -vibration, rcond=None)[0]
     limits = abs(best) * [2.0, 0.3, 0.6]

@@ -1,4 +1,5 @@
-"""Modes balanced by sets of weights, trial weights that models propose, and a rotor on films balanced in simulation."""
+"""Tests balancing of modes by sets of weights, trial weights that models propose, and a rotor on films that is balanced
+in simulation."""
 
 import re
 import numpy as np
@@ -8,7 +9,7 @@ from conftest import ROOT
 import whirl
 
 RPM = np.pi / 30
-TURN = np.exp(1j * np.arange(4))  # angles that are alike in nothing
+TURN = np.exp(1j * np.arange(4))  # unit vectors with unrelated angles
 
 
 def weights_text(weights):
@@ -39,8 +40,8 @@ OWN = [2e-3 * np.exp(1j * np.radians(30)), 1.2e-3 * np.exp(1j * np.radians(200))
 
 @pytest.mark.parametrize("at", ((-0.3, 0.25), (-0.3, 0.25, 0.05)))
 def test_rigid_rotor(at):
-    """Two planes are balanced from two and from three probes. The numbers at the bearings are those of an independent
-    computation."""
+    """Tests two planes that are balanced from two and from three probes. The expected numbers for probes at the
+    bearings are from an independent computation."""
     runs = [np.array(OWN), OWN + np.array([1e-3, 0]), OWN + np.array([0, 1e-3j])]
     seen = [rigid(run, at=at) for run in runs]
     assert abs(seen[0][:2]) == pytest.approx([64.84229701e-6, 10.86143703e-6], rel=1e-9)
@@ -76,7 +77,7 @@ def test_rigid_rotor(at):
     assert max(row.after.size for row in found.rows) < 1e-13 and found.difference is None
 
 
-# ---------------------------------------------------------------- a uniform shaft on supports that do not give
+# ---------------------------------------------------------------- a uniform shaft on rigid supports
 
 LENGTH, DIAMETER, DAMPING = 1.2, 0.04, 10.0
 AREA, MASS = np.pi * DIAMETER**2 / 4, 7800 * np.pi * DIAMETER**2 / 4
@@ -125,7 +126,7 @@ def modal(weights, n):
 
 
 def shaft_closed(weights, speed, name):
-    """Returns the displacement by modal sums of Bernoulli's beam."""
+    """Returns the displacement of a Bernoulli beam by sums over modes."""
     shapes = (np.sin(n * np.pi * place(name)) for n in range(1, 12))
     terms = zip(NATURAL, shapes, (modal(weights, n) for n in range(1, 12)))
     return sum(
@@ -145,7 +146,7 @@ def closed_readings(weights, run):
 
 
 def by_sets(file, planes, read):
-    """Returns the correction after a trial run with each set of the file."""
+    """Makes a trial run with each weight set of a file; returns the correction."""
     sets = whirl.balance({**file, "vibration": read([], 1)}).sets
     trials = [{"run": 2 + n, "set": n + 1, "moment": 2e-5, "angle": 1.0 + n} for n in range(len(sets))]
     rows = read([], 1)
@@ -168,7 +169,8 @@ METHODS = [(("s3", "s6"), False), (("s2", "s4", "s6", "s8"), True), (("s2", "s4"
 
 @pytest.mark.parametrize("planes, rigid_kept", METHODS)
 def test_modes_in_closed_form(planes, rigid_kept):
-    """In N and N + 2 planes, shapes sin(n pi x/L) give sets that excite one mode alone, and remove its unbalance."""
+    """Tests N and N + 2 planes with the shapes sin(n pi x/L): each set excites only one mode, and the correction
+    removes the unbalance of each mode."""
     shapes = [[float(np.sin(n * np.pi * place(p))) for p in planes] for n in (1, 2)]
     modes = [{"speed": float(speed), "shape": shape} for speed, shape in zip(SPEEDS, shapes)]
     file = {**shaft_file(planes, rigid_kept), "modes": modes}
@@ -180,11 +182,11 @@ def test_modes_in_closed_form(planes, rigid_kept):
         if rigid_kept:
             assert abs(sum(u for _, u in weights)) < 1e-14
             assert abs(sum(place(p) * u for p, u in weights)) < 1e-14
-        # Of all such weights they are the shortest: what is added to them that changes no condition makes them longer.
+        # Of all weights that fulfil the conditions, the set has the least norm.
         rows = [*shapes, [1.0] * len(planes), [place(p) for p in planes]][: 4 if rigid_kept else 2]
         vector = np.array([u for _, u in weights])
         assert vector == pytest.approx(np.linalg.pinv(rows) @ (np.array(rows) @ vector), abs=1e-13)
-    # What modes 3 and above add at the two speeds leaves the modal unbalances within a percent of 0.
+    # Modes 3 and above disturb the readings, so up to 1 % of the modal unbalances remains.
     after = UNBALANCE + [(p, found.correction[p].number) for p in planes]
     for n in (1, 2):
         assert abs(modal(after, n)) < 0.01 * abs(modal(UNBALANCE, n))
@@ -192,8 +194,8 @@ def test_modes_in_closed_form(planes, rigid_kept):
 
 @pytest.mark.parametrize("planes, rigid_kept", METHODS)
 def test_modes_of_a_model(tmp_path, planes, rigid_kept):
-    """With shapes of a model of finite elements, responses at both critical speeds fall to the part of modes 3 and
-    above."""
+    """Tests shapes of a finite element model: at both critical speeds only the response of modes 3 and above
+    remains."""
     (tmp_path / "shaft.yaml").write_text(shaft_text([], SPEEDS))
     file = {
         **shaft_file(planes, rigid_kept),
@@ -206,7 +208,7 @@ def test_modes_of_a_model(tmp_path, planes, rigid_kept):
         weights = [(p, own.weights[p].number) for p in planes]
         assert own.natural == pytest.approx(NATURAL[n], rel=3e-4)
         assert abs(modal(weights, 2 - n)) < 1e-5 * abs(modal(weights, 1 + n))
-    assert found.difference < 1e-8  # readings are the model's
+    assert found.difference < 1e-8  # the readings are computed by the model
     after = UNBALANCE + [(p, found.correction[p].number) for p in planes]
     for old, new in zip(shaft_readings(UNBALANCE), shaft_readings(after)):
         expected = abs(shaft_closed(after, new["speed"], PROBES[new["probe"]]))
@@ -215,8 +217,8 @@ def test_modes_of_a_model(tmp_path, planes, rigid_kept):
 
 
 def test_one_mode_after_the_other(tmp_path):
-    """Mode 1 is balanced alone, then mode 2 with the first weights on: the second set does not excite the first mode
-    again."""
+    """Tests that mode 1 can be balanced first and mode 2 with the first weights mounted: the second set does not excite
+    mode 1."""
     planes = ("s3", "s6")
     (tmp_path / "shaft.yaml").write_text(shaft_text([], SPEEDS))
     file = {
@@ -254,8 +256,8 @@ def model_file(tmp_path, rotation="counter-clockwise", **more):
 @pytest.mark.parametrize("rotation", ROTATIONS)
 @pytest.mark.parametrize("angles", ("with", "against"))
 def test_without_trial_runs(tmp_path, rotation, angles):
-    """The correction is the unbalance turned by 180 degrees, for any place of the mark, and for all ways to write
-    angles and sizes."""
+    """Tests that the correction is the unbalance turned by 180 degrees, for any position of the mark, and for all
+    notations of angles and sizes."""
     own = [("s3", 2e-4 * np.exp(0.7j)), ("s8", 1e-4 * np.exp(2.2j))]
     probes = {"a": ("s2", 0.6), "b": ("s7", -1.1)}
     rows = shaft_readings(own, [250.0, 700.0], rotation, probes, keyphasor=0.4, phases="lead")
@@ -273,7 +275,8 @@ def test_without_trial_runs(tmp_path, rotation, angles):
 
 
 def test_error_of_the_model(tmp_path):
-    """`worst` is the rest on a machine whose critical speeds are higher or lower by the error."""
+    """Tests that `worst` is the larger of the vibrations that remain if critical speeds are higher or lower by the
+    error."""
     rows = shaft_readings(UNBALANCE, [250.0], probes={"s2": "s2", "s7": "s7"})
     found = whirl.balance(model_file(tmp_path, influence="model", model_error=0.05, vibration=rows))
     before = [row.before.size * np.exp(-1j * row.before.angle) for row in found.rows]
@@ -306,8 +309,8 @@ def propose(tmp_path, unbalance, speed, second=0.5 * np.exp(1j), **probe):
 
 
 def test_trial_weight_by_its_force(tmp_path):
-    """The trial weight makes a tenth of the load of the bearing, half of the shaft's, if that changes probes by 30 to
-    100 %."""
+    """Tests that the force of a trial weight is a tenth of the load of a bearing (half of the shaft's weight), if that
+    changes readings by 30 to 100 %."""
     found, before, after = propose(tmp_path, 1.2e-4, 250.0)
     rows = shaft_readings([("s3", 1.2e-4), ("s8", 0.6e-4 * np.exp(1j))], [250.0], probes={"s3": "s3", "s7": "s7"})
     file = model_file(tmp_path, vibration=rows, probes=[{"name": "s3"}])
@@ -330,7 +333,7 @@ def test_trial_weight_by_the_measured_change(tmp_path, unbalance, reason, share)
 
 
 def test_trial_weight_by_repeatability(tmp_path):
-    """The trial weight changes the one probe with a repeatability by 5 times that; the other probe has none."""
+    """Tests a probe with a repeatability: the trial weight changes its reading by 5 times the repeatability."""
     rows = shaft_readings(UNBALANCE, [250.0], probes={"s3": "s3"})
     file = model_file(tmp_path, vibration=rows, probes=[{"name": "s3", "repeatability": 0.4 * rows[0]["amplitude"]}])
     for one in whirl.balance(file).proposals:
@@ -338,7 +341,8 @@ def test_trial_weight_by_repeatability(tmp_path):
 
 
 def test_trial_weight_within_limits(tmp_path):
-    """Between the critical speeds a couple remains: one probe rises while the sum of squares falls."""
+    """Tests an unbalance couple between the critical speeds: the trial weight reduces the sum of squares, but raises
+    the vibration of one probe, whose limit then limits the weight."""
     speed, couple = 700.0, -0.8
     found, before, after = propose(tmp_path, 2e-4, speed, couple)
     rising = [(n, seen[0] / before[0]) for n, seen in enumerate(after) if seen[0] > before[0]]
@@ -348,7 +352,7 @@ def test_trial_weight_within_limits(tmp_path):
     found, _, seen = propose(tmp_path, 2e-4, speed, couple, limit=limit)
     assert found.proposals[n].reason == "limit" and seen[n][0] == pytest.approx(limit, rel=1e-6)
     assert any("changes no probe by 30 %" in text for text in found.warnings)
-    # Above its limit already, and rising.
+    # The vibration of the probe is already above its limit, and the trial weight would raise it.
     found, _, seen = propose(tmp_path, 2e-4, speed, couple, limit=0.5 * before[0])
     (warning,) = [text for text in found.warnings if f"trial weight of {found.proposals[n].plane}:" in text]
     assert f"the model predicts {seen[n][0] * 1e6:.4g} um for s3" in warning and "above its limit" in warning
@@ -385,8 +389,8 @@ study:
 
 
 def test_films_in_simulation(tmp_path):
-    """The journals of this rotor move over half of their films. Each correction leaves as much as the model of small
-    motions is wrong; after the third one nothing is left."""
+    """Tests a rotor whose journals move over half of their clearance. The linear model is wrong for such motions, so
+    that vibration remains after the first and second correction; after the third it vanishes."""
     probes = {"de": ("left", np.pi / 4), "nde": ("right", np.pi / 4)}
     (tmp_path / "films.yaml").write_text(FILMS.format(weights=""))
     on = [("near", 2e-3 * np.exp(1j)), ("far", 1.4e-3 * np.exp(3.5j))]
@@ -418,11 +422,12 @@ def test_films_in_simulation(tmp_path):
     assert largest[0] > 30e-6 and largest[-1] < 1e-8 and sorted(largest, reverse=True) == largest
     assert differences[0] > 0.2 > 0.01 > differences[-1]
     for plane in ("near", "far"):
-        assert abs(sum(u for at, u in on if at == plane)) < 1e-6  # of kg m, where 2e-3 were
+        assert abs(sum(u for at, u in on if at == plane)) < 1e-6  # kg m; the unbalances were about 2e-3
 
 
 def test_example_of_the_guide(tmp_path, monkeypatch, capsys):
-    """The example prints what the guide shows: the unbalance of one plane, turned by 180 degrees."""
+    """Tests that the example of the guide prints the unbalance of one plane, turned by 180 degrees, as the guide
+    shows."""
     guide = (ROOT / "docs/guide/14-balancing.md").read_text()
     blocks = [block.split("\n", 1) for block in guide.split("```")[1::2]]
     (case,) = [text for kind, text in blocks if text.startswith("# tested: blower.yaml")]
@@ -479,8 +484,8 @@ def test_refused(change, sentence):
 
 
 def test_readings_in_a_table_and_the_least_largest(tmp_path):
-    """With two probes and one plane the smallest largest vibration is equal at both probes; least squares has a
-    smaller mean."""
+    """Tests two probes and one plane: minimizing the largest vibration makes both probes equal; least squares has the
+    smaller sum of squares."""
     rows = "run,speed,probe,real [um],imag [um]\n1,300,a,5,0\n1,300,b,1,0\n2,300,a,3,0\n2,300,b,0,1\n"
     (tmp_path / "readings.csv").write_text(rows)
     file = {

@@ -1,4 +1,4 @@
-"""Bearings by themselves: growth.md B3 and B4 in SI, and input as dicts, files and figures."""
+"""Tests bearings without a rotor: reference coefficients in SI, input as dicts and files, and figures."""
 
 import re
 
@@ -40,7 +40,7 @@ def test_rows_of_lund_and_thomsen():
         ):
             turned = unit * np.array([own[1, 1], -own[1, 0], -own[0, 1], own[0, 0]])
             assert turned == pytest.approx(expected, abs=3e-4 * max(expected))
-        # What is told as the error bounds what is wrong, but for the digits of the rows.
+        # The reported error bounds the true error, to the digits of the rows.
         assert 1e-4 * abs(found.eccentricity_ratio[i] - eccentricity) <= found.error[i, 0] + 1e-11
     assert (found.error[:, 1:] < 1e-3).all()
 
@@ -54,7 +54,7 @@ def test_tilting_pads_follow():
         stiffness, damping = found.reduced(number)
         own = unit * np.array([*np.diag(stiffness[0]), *(np.diag(damping[0]) * found.speed[0])])
         assert own == pytest.approx(expected, rel=3e-4)
-    # The full matrices, tilts eliminated at a whirl ratio, are the reduced ones.
+    # Eliminating the tilts from the full matrices at a whirl ratio gives the reduced matrices.
     full = found.document["points"][0]["full"]
     for number, ratio in enumerate(found.whirl_ratios):
         z = np.array(full["stiffness"]) + 1j * ratio * found.speed[0] * np.array(full["damping"])
@@ -66,15 +66,15 @@ def test_tilting_pads_follow():
 
 @pytest.mark.parametrize("grade, warm, expected", [(46, 373.15, 6.765), (46, 313.15, 46.0), (32, 373.15, 5.36)])
 def test_oils_by_their_grade(grade, warm, expected):
-    """An oil of viscosity index 100 by ASTM D2270: 46 mm2/s lie between the rows 45.33 (6.7) and 46.44 (6.8) of its
-    table."""
+    """Tests oils of viscosity index 100 by ASTM D2270, in whose table 46 mm2/s at 40 degC are between the rows 45.33
+    (6.7 mm2/s at 100 degC) and 46.44 (6.8)."""
     oil = {"grade": grade, "temperature": warm, "density": 1000, "viscosity": None, "fineness": 192}
     found = whirl.bearing({**TWO_GROOVE, **oil, "load": 1000})
     assert found.viscosity * 1e3 == pytest.approx(expected, rel=3e-3)
 
 
 def walther(temperature, at_40, at_100):
-    """Returns viscosities in m2/s, by Walther's law, from mm2/s."""
+    """Returns viscosities in m2/s by Walther's law; `at_40` and `at_100`: viscosities in mm2/s at 40 and 100 degC."""
     own = lambda nu: np.log10(np.log10(nu + 0.7))
     slope = (own(at_100) - own(at_40)) / np.log10(373.15 / 313.15)
     return 1e-6 * (10**10 ** (own(at_40) + slope * np.log10(temperature / 313.15)) - 0.7)
@@ -82,7 +82,8 @@ def walther(temperature, at_40, at_100):
 
 @pytest.mark.parametrize("grade, hot", [(32, 5.25), (46, 6.60)])
 def test_oils_between_two_temperatures(grade, hot):
-    """Oils of viscosity index 95 or so: two viscosities, and Walther's law between; their table gives the same."""
+    """Tests oils given by viscosities at 40 and 100 degC (viscosity index about 95): between them Walther's law holds,
+    and a table of the two viscosities gives the same."""
     oil = {**TWO_GROOVE, "viscosity": None, "density": 870, "fineness": 192, "load": 1000}
     for warm in (313.15, 343.15, 373.15):
         nu = walther(warm, grade, hot)
@@ -98,8 +99,8 @@ def test_oils_between_two_temperatures(grade, hot):
 
 
 def test_film_as_warm_as_its_heat():
-    """With a light load the film has Petroff's power of two pads of 160 degrees, the flow that grooves press into a
-    concentric gap (Laplace's equation, as a series), and the temperature at which both agree."""
+    """Tests a light load. The power is that of Petroff for two pads of 160 degrees, the flow that of grooves into a
+    concentric gap (Laplace's equation, as a series), and the temperature follows from power and flow."""
     speed, radius, clearance, length, groove, pressure = 3000 * np.pi / 30, 0.05, 1e-4, 0.05, 0.75, 2e5
     file = {
         **{"kind": "two-groove", "radius": radius, "length": length, "clearance": clearance, "speed": speed, "load": 2},
@@ -109,7 +110,7 @@ def test_film_as_warm_as_its_heat():
     found = whirl.bearing(file)
     l = (np.arange(1, 2000) - 0.5) * np.pi
     a = 2 * np.cos(l * groove) / ((1 - groove) * l**2)
-    # Two pads' both ends, c^3/(12 mu) dp/dz along the arc.
+    # Flow out of both ends of both pads: c^3/(12 mu) dp/dz, integrated along the arc.
     along = np.sum(
         a * np.sin(l) * l * np.tanh(l * 2 * radius / length * np.radians(80)) / (l * 2 * radius / length) * 2
     )
@@ -125,7 +126,7 @@ def test_film_as_warm_as_its_heat():
     assert found.flow[0] == pytest.approx(flow(mu), rel=3e-3)
     assert found.temperature[0] - 313.15 == pytest.approx(warm - 313.15, rel=3e-3)
     assert found.outlet[0] - 313.15 == pytest.approx(2 * (found.temperature[0] - 313.15), abs=3e-3)
-    # Whatever the load, what is told of heat adds up, and of what does not carry it nothing is.
+    # With heavier loads, temperature, power and flow fulfil the heat balance; a flow that cannot carry the heat fails.
     found = whirl.bearing({**file, "load": [1000, 5000]})
     rise = 0.8 * found.power / (870 * 1950 * found.flow)
     assert found.temperature == pytest.approx(313.15 + 0.5 * rise, abs=2e-3)
@@ -150,7 +151,7 @@ def test_turbulence_and_soft_pivots():
     z = z[:2, :2] - z[:2, 2:] @ np.linalg.solve(z[2:, 2:], z[2:, :2])
     assert z.real == pytest.approx(soft.stiffness[0], abs=1e-9 * abs(z).max())
     assert z.imag / rate == pytest.approx(soft.damping[0], abs=1e-9 * abs(soft.damping[0]).max())
-    for pad in soft.document["points"][0]["pads"]:  # centred: the film's force is along the radius
+    for pad in soft.document["points"][0]["pads"]:  # the journal is centred, so the force of the film is radial
         assert pad["yield"] == pytest.approx(pad["load"] / 2e7, rel=1e-6)
 
 
@@ -195,7 +196,7 @@ def test_heavy_loads_warn_and_impossible_ones_are_refused():
 
 
 def test_warnings_are_in_the_units_asked_for():
-    """Warnings, documents and statements have the same numbers, converted by hand; arrays stay in SI."""
+    """Tests that warnings, documents and statements have the same numbers in the requested units; arrays stay in SI."""
     file = {**TWO_GROOVE, "load": load_of(0.005), "fineness": 192}
     metric, own = whirl.bearing(file), whirl.bearing(file, units="US")
     np.testing.assert_array_equal(metric.film, own.film)

@@ -11,7 +11,7 @@ from conftest import COMMAND
 import whirl
 from whirl.systems import System, compile_c
 
-FOLD, CROSSING, DOUBLING, TORUS, HOPF = range(1, 6)  # as docs of "trace/special" have them
+FOLD, CROSSING, DOUBLING, TORUS, HOPF = range(1, 6)  # codes of the field trace/special
 DAMPING, CUBIC, FORCE = 0.2, 0.5, 0.5
 QUICK = {"method": "dop853", "transient": 40, "record": 16, "rtol": 1e-11, "step": 0.1, "progress": False}
 DUFFING = f"""
@@ -56,7 +56,7 @@ def revolve(state, omega):
 
 
 def fold_near(state, omega):
-    """Returns the fold by SciPy: an orbit with a multiplier that is 1."""
+    """Returns the fold by SciPy: an orbit with a multiplier of 1."""
     from scipy.optimize import fsolve
 
     def residual(unknown):
@@ -72,9 +72,9 @@ def duffing(displacements):
 
 @pytest.mark.parametrize("displacements", [0, 1])
 def test_folds_of_duffing_are_those_of_scipy(displacements):
-    """Both folds of the main resonance, from guesses of two digits, and multipliers of every tenth orbit agree with
-    SciPy. Its revolutions are exact to 1e-11, and errors of a fold go with the root of those of multipliers: the
-    tolerance is 1e-7."""
+    """Tests that both folds of the main resonance, and the multipliers of every tenth orbit, agree with SciPy, which
+    starts from guesses of two digits. Its revolutions are exact to 1e-11. The error of a fold is of the order of the
+    square root of that of a multiplier, so the tolerance is 1e-7."""
     table = duffing(displacements).branch("omega", 0.7, 2.2, **QUICK)["branch"]
     folds = special(table, FOLD)
     assert len(folds) == 2 and np.count_nonzero(table["trace/special"]) == 2
@@ -98,8 +98,8 @@ def test_folds_of_duffing_are_those_of_scipy(displacements):
 
 
 def test_hopf_points_of_van_der_pol():
-    """x'' - (mu - x^2) x' + x = 0 begins to oscillate at mu = 0, at the rate 1, with the cubic coefficient -1/4 and
-    the amplitude 2 sqrt(mu), up to terms of mu^(3/2)."""
+    """Tests x'' - (mu - x^2) x' + x = 0: its Hopf point is at mu = 0 with the rate 1 and the cubic coefficient -1/4,
+    and the amplitude of its orbits is 2 sqrt(mu), up to terms of mu^(3/2)."""
 
     system = System(compile_c(VAN_DER_POL), [0.1, 0], {"mu": -0.1}, period=2 * np.pi)
     table = system.branch("mu", -0.1, 0.05, rest=True, **QUICK)["branch"]
@@ -113,7 +113,7 @@ def test_hopf_points_of_van_der_pol():
 
 
 def test_hopf_points_of_the_brusselator():
-    """The Hopf point is at B = 1 + A^2, with the rate A, for every length of a revolution: table.clock has its rate."""
+    """Tests that the Hopf point is at B = 1 + A^2 with the rate A, for every period of the system (table.clock)."""
 
     def slopes(t, x, p):
         return p.A - (p.B + 1) * x[0] + x[0] ** 2 * x[1], p.B * x[0] - x[0] ** 2 * x[1]
@@ -138,7 +138,7 @@ def test_results_of_branches_are_saved_and_shown(tmp_path):
     result = System(slopes, [-1.2], {"r": -1.0}, period=1.0).branch("r", -1.0, 0.5, rest=True, progress=False)
     table = result["branch"]
     assert abs(table.values[special(table, FOLD)]).max() < 1e-10
-    # Of one coordinate, and still rows of it.
+    # The system has one coordinate; the multipliers still have a dimension of rows.
     assert table["trace/multipliers"].shape == (len(table.values), 1, 2)
     assert table.fields["trace/multipliers"].dimensions == ("row", "column")
     result.save(tmp_path / "fold.h5")
@@ -156,7 +156,8 @@ def test_results_of_branches_are_saved_and_shown(tmp_path):
 
 
 def test_branches_go_on_from_a_journal(tmp_path):
-    """Two branches, x = 2 cos t + u, u' = (r^2 - 1) - u^2 on both sides of its gap: the first is not followed again."""
+    """Tests that a run with a journal does not follow its first branch again. x = 2 cos t + u with u' = (r^2 - 1) - u^2
+    has two branches, r < -1 and r > 1."""
     calls = [0]
 
     def slopes(t, x, p):

@@ -1,4 +1,4 @@
-"""Cases from files, texts and Python, and what is refused."""
+"""Tests cases from files, texts and Python objects, and the errors of invalid ones."""
 
 import numpy as np
 import pytest

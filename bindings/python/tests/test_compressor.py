@@ -1,5 +1,5 @@
-"""The compressor that ROSS ships, compared with an independent finite element program (beam_rotor.py) and with ROSS's
-own numbers."""
+"""Tests the compressor that is part of ROSS: results agree with an independent finite element program (beam_rotor.py)
+and with numbers of ROSS."""
 
 import re
 
@@ -17,14 +17,14 @@ FILE = ROOT / "tests/rotors/ross/compressor.toml"
 JOURNALS = (7, 48)  # nodes of the bearings
 MAXIMUM = 10500  # rpm; continuous
 
-# What all 56 nodes give, and what is left of it by the reduction of cases that say nothing else: the stations'
-# displacements and the 8 lowest modes between them.
+# Keys of the shaft: all 56 nodes, and the default reduction, which keeps the displacements of stations and the 8 lowest
+# modes between them.
 ALL, USUAL = "reduce: no", "modes: 8"
 
 
 @pytest.fixture(scope="module")
 def case(tmp_path_factory):
-    """Returns the text of the compressor as it is imported, without its study; with bearings and seals, or with
+    """Returns the imported case of the compressor without its study: [True] with bearings and seals, [False] with
     bearings alone."""
     path = tmp_path_factory.mktemp("compressor") / "case.yaml"
     command("import", FILE, "-o", path)
@@ -53,12 +53,12 @@ def with_stiffness(text):
     "seals, speed, shaft", ((True, 10999, ALL), (False, 4001, ALL), (True, 4001, USUAL), (False, 10999, USUAL))
 )
 def test_modes(case, rotor, seals, speed, shaft):
-    """Damped frequencies, decrements and directions of whirl at a speed, rpm."""
+    """Tests damped frequencies, decrements and directions of whirl at a speed in rpm."""
     tolerance, fastest = (1e-8, np.inf) if shaft == ALL else (5e-4, 4000)
     table = run(case[seals], f"modes: {{parameter: speed, values: [{speed} rpm]}}", shaft)["modes"]
     expected, whirling = rotor[seals].modes(speed * RPM)
     own = table["modes/growth"][0] + 1j * table["modes/frequency"][0]
-    # What hardly oscillates is no mode to speak of: its frequency is the root of a small difference.
+    # Leave out nearly aperiodic modes, whose frequency is the root of a small difference and therefore inaccurate.
     keep = (-own.real < 0.99 * abs(own)) & (abs(own) < fastest)
     assert keep.sum() >= 6
     for value, decrement, direction in zip(
@@ -81,8 +81,8 @@ ROSS_MAP = (
 
 
 def test_map(case, rotor):
-    """The map has the forward and backward critical speeds over the stiffness of bearings, and the stiffness of the
-    bearings there."""
+    """Tests the forward and backward critical speeds over the stiffness of the bearings, and the bearings' own
+    stiffness at these speeds."""
     study = "critical_speeds: {parameter: k, from: 1 MN/m, to: 100 GN/m, points: 3, scale: log, bearings: yes}"
     all, usual = (run(with_stiffness(case[True]), study, shaft)["critical_speeds"] for shaft in (ALL, USUAL))
     for i, stiffness in enumerate(np.logspace(6, 11, 3)):
@@ -105,7 +105,7 @@ def test_map(case, rotor):
 
 
 def test_damped_critical_speeds(case, rotor):
-    """Speeds at which the frequency of the first bending modes is the speed, and their damping ratios, agree."""
+    """Tests the damped critical speeds of the first bending modes, and the damping ratios there."""
     study = "modes: {parameter: speed, from: 6000 rpm, to: 6250 rpm, points: 2}"
     expected = [rotor[False].critical(640, forward) for forward in (False, True)]
     for shaft, tolerance in ((USUAL, 2e-5), ("modes: 24", 5e-6)):
@@ -117,7 +117,7 @@ def test_damped_critical_speeds(case, rotor):
             assert own[4] == pytest.approx(-value.real / abs(value), rel=10 * tolerance)
 
 
-# Nodes of the stations, which the import takes from left to right.
+# Nodes of the stations, in the order of the imported case: from left to right.
 STATIONS = [3, 7, 18, *range(20, 37), 48]
 
 
@@ -128,8 +128,8 @@ def placed(table):
 
 
 def test_unbalances_by_rule(case, rotor):
-    """Unbalances are those of API 617, 2 x 6350 W/N g mm: W of both journals at mid-span, of the overhanging mass,
-    against it, and at the coupling."""
+    """Tests unbalances by API 617, 2 x 6350 W/N g mm: one at mid-span with W the load of both journals, and an opposite
+    one at the coupling with W the overhanging mass."""
     bare = rotor[False]
     study = f"unbalance: {{running_from: 7000 rpm, running_to: {MAXIMUM} rpm, antinodes_of: 1}}"
     (coupling, at_coupling, opposite), (middle, in_the_middle, angle) = placed(
@@ -145,7 +145,7 @@ def test_unbalances_by_rule(case, rotor):
 
 @pytest.mark.parametrize("seals", (True, False))
 def test_response(case, rotor, seals):
-    """Amplitudes and lags of all stations to unbalances by rule."""
+    """Tests amplitudes and lags of all stations in the response to unbalances by rule."""
     study = (
         "unbalance: {{parameter: speed, values: [{}], running_from: 7000 rpm, running_to: 10500 rpm, antinodes_of: 1}}"
     )
@@ -160,7 +160,7 @@ def test_response(case, rotor, seals):
 
 
 def test_peaks_and_margins(case, rotor):
-    """Peaks of the probes at the bearings: speed, amplification by half power, margins found and required."""
+    """Tests the peaks at the probes of the bearings: speed, amplification by half power, margins found and required."""
     study = (
         "unbalance: {parameter: speed, from: 4001 rpm, to: 10999 rpm, points: 101, running_from: 7000 rpm, "
         f"running_to: {MAXIMUM} rpm, antinodes_of: 1, probes_at: [bearing_0, bearing_1]}}"
@@ -190,7 +190,8 @@ def test_peaks_and_margins(case, rotor):
 
 
 def test_weight(case, rotor):
-    """Loads and sag agree with the program, and the load of the left bearing with ROSS, whose g is 9.8065 m/s2."""
+    """Tests that loads and sag agree with beam_rotor.py, and the load of the left bearing with ROSS, whose g is 9.8065
+    m/s2."""
     loads, sag = rotor[True].loads(JOURNALS)
     text = case[True].replace("gravity: 9.8065 m/s2", "gravity: 9.80665 m/s2")
     table = run(text, "statics: {}", USUAL)["statics"]
@@ -202,7 +203,7 @@ def test_weight(case, rotor):
 
 
 def test_coefficients_of_bearings(case, rotor):
-    """Statics reports the stiffness and damping of the tables at the speed, and none of seals."""
+    """Tests that statics reports the tables' stiffness and damping at the speed for bearings, and nothing for seals."""
     table = run(case[True], "statics: {parameter: speed, values: [5000 rpm, 10000 rpm]}", USUAL)["statics"]
     for point, speed in enumerate((5000 * RPM, 10000 * RPM)):
         for kind, key in (("stiffness", "k"), ("damping", "c")):
@@ -214,14 +215,15 @@ def test_coefficients_of_bearings(case, rotor):
 
 
 def least(values, whirling, speed):
-    """Returns the least decrement of light forward modes up to the speed, or of the first where that is faster."""
+    """Returns the least decrement of lightly damped forward modes up to the speed, or that of the first mode if its
+    frequency is above the speed."""
     light = values[(whirling > 0) & (-values.real < 0.8 * abs(values))]
     upto = light[light.imag <= max(speed, light.imag.min())]
     return min(-2 * np.pi * upto.real / upto.imag)
 
 
 def test_stability(case, rotor):
-    """Least decrements at the highest speed of the tables: bearings alone, and with all seals."""
+    """Tests the least decrements at the highest speed of the tables, with bearings alone and with all seals."""
     speed = 1151.9
     for shaft, tolerance in ((USUAL, 5e-4), ("modes: 24", 5e-5)):
         table = run(case[True].replace("1151.9173063167 rad/s    #", f"{speed} rad/s    #"), "stability: {}", shaft)

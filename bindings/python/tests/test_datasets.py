@@ -1,4 +1,5 @@
-"""Data sets from Python: signals, the table of records, sets by machine, records made anew."""
+"""Tests data sets from Python: signals, the table of records, sets divided by machine, records that are computed
+again."""
 
 import csv
 import multiprocessing
@@ -103,7 +104,7 @@ def test_table_of_records(data, folder):
     with open(folder / "one-records.csv", newline="") as file:
         names, *lines = csv.reader(file)
     assert len(frame) == len(lines) == 54 and list(frame.index) == list(range(54))
-    assert names.count("speed") == 2  # of the shaft, and a parameter of that name
+    assert names.count("speed") == 2  # the speed of the shaft, and a parameter of that name
     where = dict(zip(names[:12], range(12)))
     assert list(frame.label) == [line[where["label"]] for line in lines]
     assert list(frame.seed) == [int(line[where["seed"]]) for line in lines]
@@ -159,12 +160,13 @@ def fetch(data, rows):
 
 
 def test_protocol_of_pytorch(data):
-    """The set has what torch.utils.data.DataLoader requires of a map-style data set, in worker processes, too."""
+    """Tests that a data set has what torch.utils.data.DataLoader requires of a map-style data set, also in worker
+    processes."""
     assert len(data) == 54
     signals, label = data[20]
     assert signals.shape == (2, 100) and signals.dtype == np.float32 and type(label) is int
     assert data.labels[label] == data.index.label[20]
-    assert sum(1 for _ in data) == 54  # ends by IndexError
+    assert sum(1 for _ in data) == 54  # iteration ends with IndexError
     rows = [40, 3, 17]
     expected = [(data.signals[i].tobytes(), int(data.targets[i])) for i in rows]
     for start in ("fork", "spawn"):
@@ -176,7 +178,7 @@ def test_protocol_of_pytorch(data):
 
 
 def test_fork_reads_with_a_file_of_its_own(data):
-    data.signals[0]  # the file is open here
+    data.signals[0]  # opens the file in this process
     with multiprocessing.get_context("fork").Pool(2) as pool:
         parts = pool.starmap(fetch, [(data, [i]) for i in range(20)])
     assert all(part[0][0].tobytes() == data.signals[i].tobytes() for i, part in enumerate(parts))

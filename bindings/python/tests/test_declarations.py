@@ -1,4 +1,4 @@
-"""The declarations for cffi are those of the headers."""
+"""Tests that the declarations for cffi are those of the headers."""
 
 import os
 import pathlib

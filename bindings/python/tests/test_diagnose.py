@@ -1,4 +1,4 @@
-"""examples/diagnose.py: what classifiers learn of the shipped records, and where these mislead, is as its text says."""
+"""Tests the claims of examples/diagnose.py: what classifiers learn from the shipped records, and how they mislead."""
 
 import sys
 
@@ -21,7 +21,7 @@ def test_claims(tmp_path, monkeypatch):
     assert found["forest"][windows] > found["forest"][same]
     lost = found["regression"]
     assert lost["trained without noise, tested with it"] < lost["trained and tested without noise"] - 0.1
-    # A bow and an unbalance turn with the shaft: at one speed nothing tells them apart for sure.
+    # A bow and an unbalance both turn with the shaft, so that at one speed they are often confused.
     number = {label: i for i, label in enumerate(data.labels)}
     both = {number["bow"], number["unbalance"]}
     mistaken = [{a, b} for a, b in zip(taken_for["forest"].tolist(), data.targets.tolist()) if a != b]

@@ -1,5 +1,5 @@
-"""The shipped data sets: every fault shows where the diagnosis of machines looks for it (Bently and Hatch, Fundamentals
-of Rotating Machinery Diagnostics, 2002; ISO 13373-3), against the healthy records of the same machine."""
+"""Tests the shipped data sets: compared with the healthy records of the same machine, every fault has the symptoms
+known from diagnosis (Bently and Hatch, Fundamentals of Rotating Machinery Diagnostics, 2002; ISO 13373-3)."""
 
 import numpy as np
 import pytest
@@ -9,7 +9,7 @@ import whirl
 
 
 class Shown:
-    """Records of a shipped case with fewer machines: amplitudes of lines by label and channel."""
+    """Records of a shipped case with fewer machines; its methods return amplitudes of lines by label and channel."""
 
     def __init__(self, name, machines, folder):
         case = whirl.Case(ROOT / "cases" / f"{name}.yaml")
@@ -26,7 +26,7 @@ class Shown:
         return np.abs(np.fft.rfft(centred * window)) * 2 / window.sum()
 
     def line(self, label, channel, order):
-        """Returns the amplitudes of a whole order."""
+        """Returns the amplitudes of all records at a whole order."""
         return self.spectra(label, channel)[:, order * self.turns()]
 
     def turns(self):
@@ -66,7 +66,7 @@ def test_crack_shows_at_multiples_and_not_at_the_speed(rotor):
 
 
 def test_loose_seat_rattles(rotor):
-    """A seat that comes down makes impacts: all multiples of the speed."""
+    """Tests that a loose bearing seat, which lifts off and hits its support, excites all multiples of the speed."""
     for order in (3, 5, 7, 9):
         assert rotor.growth("looseness", "pedestal", order) > 4, order
 
@@ -77,7 +77,7 @@ def test_rub_shows_at_multiples(rotor):
 
 
 def test_blades_touch_once_each(rotor):
-    """With 7 blades some line of the passing, or of the long blade's own, is above the healthy machine's noise."""
+    """Tests 7 blades, one of them longer: the largest multiple of the speed is twice that of the healthy machine."""
     healthy = rotor.spectra("healthy", "pedestal")[:, 2 * rotor.turns() :: rotor.turns()]
     blades = rotor.spectra("blade rub", "pedestal")[:, 2 * rotor.turns() :: rotor.turns()]
     assert np.all(blades.max(1) > 2 * healthy.max(1))
@@ -92,11 +92,11 @@ def test_unloaded_bearing_whirls_at_half_the_speed(rotor):
 
 def test_misalignment_in_three_senses(line_of_shafts):
     own = line_of_shafts
-    # Off line: a load that stands still moves the shaft in its bearing, and changes no line by half.
+    # Offset shafts: a constant load moves the shaft in its bearing, and changes the 1X line by less than half.
     shift = own.signals("off line", "inner 45").mean(1) - own.signals("healthy", "inner 45").mean(1)
-    assert np.all(np.abs(shift) > 4e-3)  # V, of noise with 5 mV in each of 2048 samples
+    assert np.all(np.abs(shift) > 4e-3)  # V; the noise is 5 mV in each of 2048 samples
     assert 0.5 < own.growth("off line", "inner 45", 1) < 1.5
-    # A face out of square comes once a turn, a joint at an angle twice.
+    # A coupling face out of square excites 1X, a universal joint at an angle 2X.
     assert own.growth("face", "front", 1) > 5 and own.growth("face", "front", 2) < 3
     assert own.growth("angle", "front", 2) > 20 and 0.9 < own.growth("angle", "inner 45", 1) < 1.1
 

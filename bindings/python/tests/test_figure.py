@@ -1,4 +1,4 @@
-"""Figures are one description in all renderers: gnuplot's scripts and Matplotlib draw the data."""
+"""Tests that all renderers draw the same description of a figure: gnuplot's scripts and Matplotlib have its data."""
 
 import json
 import re
@@ -203,7 +203,7 @@ def test_waterfalls_have_the_lines_of_all_spectra(good, units):
     expected = expected[expected[:, 2] >= 1e-3 * largest]
     middles = [(np.array(boxes[low]) + boxes[high]) / 2 for low, high in (("x", "x_to"), ("y", "y_to"))]
     found = np.column_stack([*middles, boxes["values"]])
-    assert len(found) > len(sweep.values) and (np.diff(found[:, 2]) >= 0).all()  # the largest over the others
+    assert len(found) > len(sweep.values) and (np.diff(found[:, 2]) >= 0).all()  # the largest are drawn last
     assert np.allclose(found, expected[np.argsort(expected[:, 2])], rtol=1e-9, atol=1e-12)
     scale = data["scale"]
     assert scale["log"] and np.allclose((scale["low"], scale["high"]), (1e-3 * largest, largest))
@@ -220,8 +220,8 @@ def labels_of(data):
 
 @pytest.mark.parametrize("way", ["0-p", "p-p", "rms"])
 def test_every_length_of_every_figure_says_how_it_is_counted(results, way):
-    """Labels of places name no convention, those of radii one, those of amplitudes the chosen one; so do figures of
-    any field."""
+    """Tests that labels of positions name no counting of amplitudes, labels of radii "0-p", and labels of amplitudes
+    the chosen one, also in figures of any field."""
     units, seen = f"um, rpm, Hz, {way}", set()
     for path in results:
         result = whirl.read(path).show_in(units)
@@ -319,7 +319,7 @@ def test_any_field_and_any_point(good_file, map_files):
 
 
 def colour_at(data, x, y):
-    """Returns the colour of the box of a map's figure in which a place lies; None if there is none."""
+    """Returns colour and opacity of the box at a position in a map's figure; None if there is no box."""
     for series in data["panels"][0]["series"]:
         if series["shape"] != "boxes":
             continue
@@ -345,7 +345,7 @@ def test_refined_maps_are_filled(map_files):
     cells = [[colour_at(data, at, up) for at in x for up in y] for data in pictures]
     assert None not in cells[0] + cells[1] and len(set(cells[0])) > 1
     same = np.mean([one == other for one, other in zip(*cells)])
-    assert same > 0.9  # the squares that were not halved have the colour of their corner
+    assert same > 0.9  # squares that were not refined have the colour of their corners
 
 
 def test_a_map_shows_what_most_starts_lead_to(starts_map):
@@ -358,7 +358,7 @@ def test_a_map_shows_what_most_starts_lead_to(starts_map):
         if len(set(zip(code[best], period[best]))) == 1 and code[best][0] == 1:
             name = {1: "P-1", 2: "P-2", 4: "P-4"}.get(period[best][0], "other P-k")
             at, up = (values[best][0] for values in (table.values, table.second_values))
-            share = (0.4, 0.8, 1.0)[int(table["regime/confidence"][best][0])]  # the rest is white
+            share = (0.4, 0.8, 1.0)[int(table["regime/confidence"][best][0])]  # of the colour; the rest is white
             mixed = share * np.array(to_rgb(whirl.plot.REGIMES[name])) + 1 - share
             assert np.allclose(to_rgb(colour_at(data, at, up)[0]), mixed, atol=1 / 255)
             seen += 1

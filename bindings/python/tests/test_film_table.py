@@ -1,5 +1,5 @@
-"""The generator of the table of films of finite length, compared with digits of another Galerkin solution and with
-the table."""
+"""Tests the generator of the table of films of finite length: it agrees with digits of another Galerkin solution, and
+with the table in the sources."""
 
 import importlib.util
 import re

@@ -1,4 +1,4 @@
-"""Statements and sheets of every shipped case are the same by all renderers, number by number, in the units shown.
+"""Tests that all renderers give the same statements and sheets for every shipped case, number by number.
 
 Renderers: Python, notebooks, JSON, CSV, LaTeX, Markdown, text, the summary and HTML of the command, and Octave.
 """
@@ -106,9 +106,10 @@ def latex_of(text):
 
 
 def test_texts_are_the_numbers(file):
-    """CSV has every number of `rows`; text, LaTeX and Markdown have those of `texts`, to their digits."""
+    """Tests that CSV has every number of `rows`, and that text, LaTeX and Markdown have the rounded numbers of
+    `texts`."""
     result = whirl.open(file)
-    once = {sheet.name: (key, sheet) for key, sheet in result.sheets().items()}  # conditions have the same sheets
+    once = {sheet.name: (key, sheet) for key, sheet in result.sheets().items()}  # conditions share sheets
     for key, sheet in once.values():
         heading, *rows = csv.reader(io.StringIO(result.sheet_text(key, "csv"), newline=""))
         assert heading == [column.title for column in sheet.columns] and len(rows) == len(sheet)
@@ -135,7 +136,7 @@ def test_texts_are_the_numbers(file):
 
 
 def test_closed_form(modes):
-    """A disc of 2 kg on springs of 80 and 200 kN/m."""
+    """Tests a disc of 2 kg on springs of 80 and 200 kN/m."""
     speeds = [np.sqrt(80e3 / 2), np.sqrt(200e3 / 2)]
     sheet = modes.sheet("critical")
     keys = [column.key for column in sheet.columns]
@@ -149,14 +150,14 @@ def test_closed_form(modes):
 
 
 def without_limits(rows):
-    """Returns the rows whose texts contain no limits, which have the units shown."""
+    """Returns rows with the limits removed from their texts, since limits are written in the shown units."""
     limit = re.compile(r" (or )?not (above|below) \S+( \S+)?( 0-p| p-p)?")
     return [[limit.sub("", cell) if isinstance(cell, str) else cell for cell in row] for row in rows]
 
 
 def test_units_are_those_of_figures(file):
-    """Numbers in SI are the same in all units that are shown; parameters that are no speeds keep the unit of the
-    case."""
+    """Tests that numbers in SI do not depend on the shown units, and that columns other than parameters have US
+    units."""
     result = whirl.open(file)
     metric, customary = result.sheets("SI, Hz"), result.sheets("US")
     assert result.show_in("US").sheets() == customary
@@ -245,7 +246,7 @@ class Tables(HTMLParser):
 
 
 def test_pages_have_all_of_it(file, tmp_path):
-    """The page has every statement with its verdict, and every sheet with its headings and each cell."""
+    """Tests that the page has every statement with its verdict, and every sheet with all headings and cells."""
     result = whirl.open(file)
     command("report", file, "-o", tmp_path, "-q", "--gnuplot=/bin/true")
     page = Tables((tmp_path / "report.html").read_text(encoding="utf-8"))
@@ -263,14 +264,14 @@ def test_pages_have_all_of_it(file, tmp_path):
         assert shown in tables, key
 
 
-# Sheets that summaries leave out where statements say the same, or which are only looked up.
+# Sheets that summaries leave out, because statements say the same or users only look numbers up in them.
 LEFT_OUT = "regimes windows jumps attractors verdicts reasons sizes named-lines synchronous".split()
 LEFT_OUT += ["watched-stations", "watched-contacts"]
 
 
 def test_the_summary_has_all_of_it(file):
-    """The summary has every statement, and of every sheet the headings and the first and the last row; `whirl table`
-    has the sheets that a summary may leave out."""
+    """Tests that the summary has every statement, and the headings, the first and the last row of every sheet. `whirl
+    table` has the sheets that a summary may leave out."""
     result = whirl.open(file)
     shown = bare(command("show", file).stdout)
     tables = bare(command("table", file).stdout)
@@ -280,7 +281,7 @@ def test_the_summary_has_all_of_it(file):
         reported = tables if sheet.name in LEFT_OUT else shown
         assert sheet.title in reported, key
         for column, texts in zip(sheet.columns, zip(*sheet.texts)):
-            # Of 24 rows or fewer the last one is shown, too, and so are the two ends of points.
+            # The first row is shown; of sheets with at most 24 rows also the last one.
             for text in (texts[0], texts[min(len(texts), 24) - 1] if len(texts) <= 24 else texts[0]):
                 assert bare(text) in reported and (not any(texts) or bare(column.title) in reported), (
                     key,
@@ -306,7 +307,7 @@ end
 
 @pytest.mark.skipif(not shutil.which("octave-cli"), reason="there is no Octave")
 def test_octave_has_all_of_it(file):
-    """Octave has every statement with its verdict, and every cell of every sheet."""
+    """Tests that Octave has every statement with its verdict, and every cell of every sheet."""
     result = whirl.open(file)
     expected = [("statement", own.table, own.verdict, own.text) for own in result.statements()]
     for key, sheet in result.sheets().items():
@@ -332,7 +333,8 @@ def test_octave_has_all_of_it(file):
 
 
 def test_no_number_is_rounding_noise():
-    """By symmetry the slope in the middle of a shaft and the cross coupling of its magnets are shown as 0."""
+    """Tests that numbers that are 0 by symmetry (the slope in the middle of a shaft, the cross coupling of its magnets)
+    are shown as 0, not as rounding errors."""
     magnet = (
         "{at: %s, gap: 0.5 mm, bias: 4 A, turns: 200, area: 8 cm2, max_current: 9 A, proportional: 1.8e4 A/m, "
         "integral: 8e4 A/m/s, derivative: 28 A.s/m, derivative_filter: 0.1 ms, sensor_bandwidth: 10 kHz, "

@@ -1,5 +1,5 @@
-"""Fits find known parameters again, from files and from columns; parameters that the data do not determine are named;
-bad input is refused."""
+"""Tests that fits recover known parameters from files and from columns, name parameters that the data do not determine,
+and refuse bad input."""
 
 import json
 import subprocess
@@ -27,7 +27,7 @@ TRUTH = {"k": 33e3, "c": 52.0, "e": 38e-6}
 
 
 def bode():
-    """Returns amplitudes and lags of a disc on a spring by their closed form."""
+    """Returns amplitudes and lags of a disc on a spring, by their closed form."""
     w = np.arange(60.0, 150.0, 10.0)
     response = TRUTH["e"] * w**2 / (TRUTH["k"] / 3 - w**2 + 1j * TRUTH["c"] * w / 3)
     return {"speed [rad/s]": w, "disc x [m]": abs(response), "disc x lag [rad]": -np.angle(response)}
@@ -39,7 +39,7 @@ def test_fitted_parameters_are_those_of_the_data(tmp_path):
     for name, value in TRUTH.items():
         assert found[name].value == pytest.approx(value, rel=1e-9)
         assert found[name].known == "determined"
-    # A file is read as columns are.
+    # A file gives the same result as columns.
     rows = np.column_stack(list(bode().values()))
     np.savetxt(tmp_path / "bode.csv", rows, "%.17g", ",", header=",".join(bode()), comments="")
     again = whirl.fit(whirl.Case(SPRING), tmp_path / "bode.csv", ["k", "c", "e"], tolerance=1e-10)
@@ -47,7 +47,7 @@ def test_fitted_parameters_are_those_of_the_data(tmp_path):
 
 
 def test_the_explorer_has_motions_alone(tmp_path):
-    """The page gets the speeds and numbers of measured motions; the frequency of a mode lies over none."""
+    """Tests that the page gets only the numbers of measured motions, not the measured frequency of a mode."""
     rows = np.column_stack(list(bode().values()))
     np.savetxt(tmp_path / "bode.csv", rows, "%.17g", ",", header=",".join(bode()), comments="")
     head = "".join(f"{key}: {json.dumps(SPRING[key])}\n" for key in ("parameters", "rotor"))
@@ -92,7 +92,7 @@ def test_bad_input(tmp_path):
         whirl.fit(SPRING, {"speed [rad/s]": [1.0], "disc x [m]": [1.0, 2.0]}, ["k"])
     with pytest.raises(whirl.BadInput, match="expected"):
         whirl.fit(SPRING, bode(), {"k": 7})
-    # A study with a table that is gone is refused by check and run alike.
+    # A study whose table is missing is refused.
     (tmp_path / "a.yaml").write_text(
         whirl.Case(SPRING).text.split("study:")[0] + "study:\n  fit: {unknown: {k: }, data: gone.csv}\n"
     )
@@ -101,7 +101,7 @@ def test_bad_input(tmp_path):
 
 
 def test_keys_are_named_as_a_case_has_them():
-    """Messages name keys as in a case, not by the names of parts of a fit in the reference."""
+    """Tests that messages name keys as in a case, not as in the reference."""
     for fit, words in (
         ({"unknown": {"k": {"fron": 1, "to": 2}}, "data": ["a.csv"]}, "k.fron: fit.unknown has no key fron, did you"),
         ({"unknown": {"k": {}}, "data": [{"file": "a.csv", "sped": 3}]}, r"sped: fit.data has no key sped, expected"),
@@ -111,7 +111,8 @@ def test_keys_are_named_as_a_case_has_them():
 
 
 def waveform():
-    """Returns displacements over time of the same disc at 100 rad/s, at times that divide no revolution."""
+    """Returns displacements over time of the same disc at 100 rad/s, at times that are incommensurate with a
+    revolution."""
     w, time = 100.0, 0.00317 * np.arange(80)
     response = TRUTH["e"] * w**2 / (TRUTH["k"] / 3 - w**2 + 1j * TRUTH["c"] * w / 3)
     turning = response * np.exp(1j * w * time)
@@ -129,7 +130,7 @@ def test_files_of_other_programs(tmp_path):
 
     time, x, y = waveform()
     names = {"time [s]": "t", "disc x [um]": "run/x", "disc y [um]": "run/y"}
-    # HDF5, by names of datasets; and with units as attributes.
+    # Read HDF5 by the names of its datasets, and with units from attributes.
     with h5py.File(tmp_path / "a.h5", "w") as file:
         file["t"], file["run/x"], file["run/y"] = time, x, y.reshape(-1, 1)
         file["note"] = "no numbers"
@@ -139,7 +140,7 @@ def test_files_of_other_programs(tmp_path):
             file[name] = values
             file[name].attrs["unit"] = unit
     check_waveform(tmp_path / "b.h5")
-    # A universal file, in text of two precisions and in bytes.
+    # Read universal files as text in single and double precision, and as binary.
     for kind in ("single", "double", "binary"):
         (tmp_path / "a.uff").write_bytes(b"".join(record(kind, d, time, v) for d, v in ((1, x), (2, y))))
         check_waveform(tmp_path / "a.uff")
@@ -192,7 +193,7 @@ def test_noise_of_probes_and_profiles():
     options = {"at": {"c": "52 N s/m"}, "profile": True}
     found = whirl.fit(SPRING, data, ["k", "e"], noise={"disc x": "1 um", "disc y": 3e-6}, **options)
     assert set(np.unique(found.numbers[:, 8])) == {1e-6, 3e-6}
-    for own in found.values():  # the data are exact, so that intervals are those of the linear model but for its curve
+    for own in found.values():  # the data are exact, so profile intervals are nearly those of the linear model
         half = own.high - own.value
         assert own.profile_low == pytest.approx(own.low, abs=0.01 * half)
         assert own.profile_high == pytest.approx(own.high, abs=0.01 * half)
@@ -224,7 +225,7 @@ WHIRLING = {
 
 
 def test_thresholds_and_modes_are_those_of_least_squares():
-    """Inexact numbers, next to SciPy's least squares over the roots of m l^2 + c l + k -+ i q n."""
+    """Tests inexact data: the fit agrees with SciPy's least squares over the roots of m l^2 + c l + k -+ i q n."""
     optimize = pytest.importorskip("scipy.optimize")
     unit, sigma = np.array([30e3, 20.0, 30.0]), np.array([1.0, 0.1, 2 * np.pi * 0.01, 0.001])
     measured = np.array([160.0, 105.0, 2 * np.pi * 16.5, 0.1])
@@ -261,7 +262,7 @@ def test_thresholds_and_modes_are_those_of_least_squares():
 
 
 def test_numbers_and_tables_together():
-    """An onset tells the damping that amplitudes away from resonance do not."""
+    """Tests that an onset determines the damping, which amplitudes away from resonance do not."""
     n = np.arange(20.0, 60.0, 4.0)
     response = 50e-6 * n**2 / (11e3 - n**2 + 1j * n * (37.0 - 26.0) / 3)
     table = {"speed [rad/s]": n, "disc x [m]": abs(response)}
@@ -272,7 +273,8 @@ def test_numbers_and_tables_together():
 
 
 def rubbing_flow(speed, damping):
-    """Returns the equations of RUBBING with those of four perturbations, which contacts without damping do not kick."""
+    """Returns the equations of RUBBING and of four perturbations. Contacts without damping change perturbations
+    continuously."""
     e, weight, gap, wall, turn = 0.9, 1.2, 1.0, 10.0, np.array([[1.0, -0.05], [0.05, 1.0]])
 
     def slopes(t, z):
@@ -290,7 +292,8 @@ def rubbing_flow(speed, damping):
 
 
 def test_onset_by_a_doubling_of_the_period():
-    """A rotor that rubs doubles its period as its speed falls to 5.47 rad/s: shooting by SciPy finds that speed."""
+    """Tests the onset of a period doubling, which a rubbing rotor has when its speed falls to 5.47 rad/s. The expected
+    speed is found by shooting with SciPy."""
     integrate, optimize = pytest.importorskip("scipy.integrate"), pytest.importorskip("scipy.optimize")
 
     def turned(speed, damping, x, tolerance=1e-11):
@@ -359,7 +362,8 @@ def statistics_case(elements, **parameters):
 
 
 def test_quasi_periodic_motions_are_compared_by_statistics():
-    """A disc on a spring with a force at 0.618 of its speed: two lines, whose sum is the largest displacement."""
+    """Tests a disc on a spring with a force at 0.618 of the speed. Its motion has two lines, the sum of whose
+    amplitudes is the largest displacement."""
     k, c, e, f, ratio = 33e3, 52.0, 38e-6, 4.0, (np.sqrt(5) - 1) / 2
     elements = [
         {"shaft": {"between": ["disc", "ground"], "k1": "= k"}},
@@ -384,7 +388,7 @@ def test_quasi_periodic_motions_are_compared_by_statistics():
     said = [own for own in found.result.statements() if own.what == "statistics"]
     assert "4 of 4 motions are compared by statistics of 96 revolutions, not as orbits" in str(said[0].found)
     assert "fit-1" in found.result.figures()
-    # As orbits they cannot be fitted, which is said.
+    # A fit of orbits reports that these motions have none.
     columns = {name: data[name] for name in ("speed [rad/s]", "disc x 1X [m]")}
     alone = whirl.fit(case, columns, ["k"], noise="0.5 um")
     assert alone.end == "no motion"
@@ -392,7 +396,8 @@ def test_quasi_periodic_motions_are_compared_by_statistics():
 
 
 def chaotic_share(n, e, count=32, before=60, after=100, steps=96):
-    """Share of the time in contact of a rotor that rubs, by RK4 over an ensemble of starts, at several speeds."""
+    """Returns the share of the time in contact of a rubbing rotor at several speeds, by RK4 over an ensemble of
+    starts."""
     w = np.repeat(n, count)
     state = np.zeros((4, len(w)))
     state[:2] = np.random.default_rng(1).uniform(-0.2, 0.2, (2, len(w)))
@@ -483,7 +488,8 @@ FLOW = "study: {fit: {unknown: {k: , c: },\n  data: bode.csv}, initial: {disc: {
 
 @pytest.mark.parametrize("style", ["block", "flow", "json"])
 def test_the_live_case_of_a_fit_may_have_any_style(style, tmp_path):
-    """The explorer computes motions of the fitted machine: the fitted values, and a sweep in place of the fit."""
+    """Tests that the explorer gets a case with the fitted values and a sweep in place of the fit, for any YAML
+    style."""
     yaml = pytest.importorskip("yaml")
     n = np.arange(60.0, 150.0, 10.0)
     response = 50e-6 * n**2 / (33e3 / 3 - n**2 + 1j * n * 52.0 / 3)

@@ -1,4 +1,4 @@
-"""Modes followed by their names, through crossings that are known from symmetry."""
+"""Tests that modes keep their names through crossings that are known from symmetry."""
 
 import json
 import subprocess
@@ -9,9 +9,9 @@ from conftest import COMMAND, ROOT, command
 
 import whirl
 
-# A shaft with a disc in the middle on equal bearings: in half of the modes the disc moves without tilting:
-# gyroscopic moments do not change their frequencies. In the other half it tilts without moving. As the speed grows,
-# frequencies of backward tilting modes fall and cross those of the moving ones.
+# A shaft with a disc in the middle on equal bearings. In half of the modes the disc moves without tilting, so that
+# gyroscopic moments do not change their frequencies. In the other half it tilts without moving. As the speed grows, the
+# frequencies of backward tilting modes fall and cross those of the modes in which the disc moves.
 CASE = """
 whirl: 1
 parameters: {omega: 3000 rpm, k: 5 MN/m}
@@ -67,7 +67,7 @@ def test_names_stay_with_shapes_through_crossings(first, last, points, tmp_path)
     backward = min((name for name in tilting if name[-1] == "B"), key=lambda name: whole[name][0].min())
     slow, fast = np.sort(whole[backward][0])[[0, -1]]
     assert fast > 1.3 * slow
-    if abs(last - first) > 6000:  # it falls through the lowest
+    if abs(last - first) > 6000:  # its frequency crosses the lowest ones
         assert fast > whole[lowest[0]][0, 0] > slow
     # Frequencies of one mode change smoothly: no value is far from the middle of its neighbours.
     for line in whole.values():
@@ -99,7 +99,8 @@ def test_decrement_has_the_lines(tmp_path):
 
 @pytest.mark.parametrize("shards", [("1/3", "3/3"), ("1/3", "2/3"), ("2/3", "3/3")])
 def test_lines_end_where_a_result_has_gaps(shards, tmp_path):
-    """A result of some shards lacks speeds. A mode is not followed across a gap: its shape may change there."""
+    """Tests a result of some shards, which lacks speeds: modes are not followed across gaps, where shapes may
+    change."""
     path, merged = tmp_path / "case.yaml", tmp_path / "r.h5"
     path.write_text(case(200, 9000, 90))
     for shard in shards:
@@ -120,12 +121,12 @@ def test_one_mode_has_one_name(tmp_path):
     path = tmp_path / "case.yaml"
     path.write_text(case(200, 9000, 5).replace("count: 8", "count: 1"))
     points = json.loads(command("run", path, "--json").stdout)["points"]
-    assert all(point["modes"]["name"] in ("1F", "1B", "2B") for point in points)  # no list, as there is one mode
+    assert all(point["modes"]["name"] in ("1F", "1B", "2B") for point in points)  # a text, not a list of one
 
 
 def test_modes_of_one_frequency_go_on(tmp_path):
-    """Masses on equal springs have two modes of each frequency, whose shapes are any mixture; both are followed at
-    all speeds."""
+    """Tests masses on equal springs, whose modes come in pairs of equal frequency with shapes that may mix; both modes
+    of a pair are followed at all speeds."""
     path = tmp_path / "case.yaml"
     path.write_text(
         "whirl: 1\nparameters: {omega: 100 rad/s}\nrotor:\n  speed: = omega\n  length_scale: 1 mm\n  stations:\n"

@@ -1,4 +1,4 @@
-"""Motions over time with events: closed forms of bouncing balls, switches, and the reasons for their ends."""
+"""Tests motions over time with events: closed forms of bouncing balls, switches, and the reasons why motions end."""
 
 import numpy as np
 import pytest
@@ -19,8 +19,8 @@ def floor(**more):
 
 @pytest.mark.parametrize("e", [0.3, 0.7, 0.95])
 def test_a_ball_bounces_until_no_time_is_left(e):
-    """Bounce n is at t1 (1 + 2 sum of e^k, k < n), with the speed e^(n-1) g t1; the bounces accumulate at t1 (1 +
-    e)/(1 - e)."""
+    """Tests a bouncing ball: bounce n is at t1 (1 + 2 sum of e^k, k < n) with the speed e^(n-1) g t1, and the bounces
+    accumulate at t1 (1 + e)/(1 - e)."""
     first = np.sqrt(2 / G)
     last = first * (1 + e) / (1 - e)
     system = System(fall, [1, 0], {"e": e})
@@ -31,7 +31,7 @@ def test_a_ball_bounces_until_no_time_is_left(e):
     assert np.abs(np.array([each.time for each in motion.events]) - expected).max() < 1e-10 * last
     assert np.abs([each.before[1] + e**k * G * first for k, each in zip(n, motion.events)]).max() < 1e-8
     assert abs(motion.time - last) < 1e-9 * last and len(motion.times) == 2
-    # at the instant between: the flight since the bounce before
+    # The second instant is between two bounces: the height follows from the flight since the last bounce.
     passed = motion.times[1] - expected[expected <= motion.times[1]][-1]
     k = (expected <= motion.times[1]).sum()
     height = e**k * G * first * passed - 0.5 * G * passed**2
@@ -53,7 +53,8 @@ def test_perfect_bounces_go_on():
 
 
 def test_switches_without_a_reset_and_ends():
-    """An oscillator passes 0 at half turns; its event may end it, and time needs no period."""
+    """Tests an oscillator with events that have no reset, that end the motion, or that switch a coordinate. The system
+    has no period."""
     system = System(lambda t, x, p: (x[1], -x[0]), [0, 1])
     both = system.follow([0, 20], Event(lambda t, x, p: x[0] - 0.5), rtol=1e-12)
     times = [np.pi / 6, 5 * np.pi / 6, 13 * np.pi / 6, 17 * np.pi / 6, 25 * np.pi / 6, 29 * np.pi / 6, 37 * np.pi / 6]
@@ -67,7 +68,7 @@ def test_switches_without_a_reset_and_ends():
 
 
 def test_scales_and_lanes():
-    """A pressure in Pa next to a length in m: scales keep tolerances; slopes in lanes serve motions, too."""
+    """Tests a coordinate of 3e5 with scales, by which tolerances are relative to its size, and slopes in lanes."""
     lanes = System(lambda t, x, p: np.array([x[1], -4e6 * x[0]]), [3e5, 0], lanes=True, scales={0: 3e5, 1: 6e8})
     motion = lanes.follow([0, 0.01], rtol=1e-11)
     assert abs(motion.states[-1, 0] - 3e5 * np.cos(20)) < 3e5 * 1e-8

@@ -1,4 +1,4 @@
-"""All public names of the package have types and docstrings."""
+"""Tests that all public names of the package have type hints and docstrings."""
 
 import importlib
 import inspect

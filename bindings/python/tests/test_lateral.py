@@ -1,4 +1,4 @@
-"""Unbalances by rule, and responses scaled by them, of a rotor whose weight has a closed form."""
+"""Tests unbalances by rule and scaled responses, with a rotor whose bearing loads have a closed form."""
 
 import re
 import subprocess
@@ -11,9 +11,9 @@ import whirl
 
 RPM = np.pi / 30
 TRIP = 9000
-RULE = 2 * 6350e-6 / TRIP  # kg m a kg
+RULE = 2 * 6350e-6 / TRIP  # kg m per kg
 
-# A uniform shaft on soft bearings at its ends, with a disc that hangs over beyond the right one.
+# A uniform shaft on soft bearings at its ends, and an overhung disc beyond the right one.
 CASE = """
 whirl: 1
 parameters: {{omega: 3000 rpm}}
@@ -51,7 +51,7 @@ def placed(table):
 
 
 def masses(end=1.9, mass=20):
-    """Returns the masses that the left and the right bearing carry, and that overhang, kg."""
+    """Returns the masses carried by the left and the right bearing, and the overhanging mass, kg."""
     line = 7810 * np.pi * 0.1**2 / 4
     right = (line * end**2 / 2 + mass * end) / 1.6
     return line * end + mass - right, right, line * (end - 1.6) + mass
@@ -89,8 +89,8 @@ def test_at_a_station():
 
 
 def test_weight_does_not_depend_on_gravity_or_on_the_form_of_bearings():
-    """W is a mass. Two bearings of half the stiffness at one station count as one; an element that does not turn is
-    not part of it."""
+    """Tests that W is a mass, which gravity does not change, and that two bearings of half the stiffness at one station
+    count as one."""
     own = placed(response(", antinodes_of: 1", k=60, mass=40))
     for gravity in ("1.62 m/s2", "0 m/s2"):
         on_the_moon = placed(response(", antinodes_of: 1", f"    - gravity: {gravity}", k=60, mass=40))
@@ -105,7 +105,7 @@ def test_weight_does_not_depend_on_gravity_or_on_the_form_of_bearings():
 
 @pytest.mark.parametrize("rule", ("antinodes_of: 1", "antinodes_of: 2", "at: end"))
 def test_response_is_that_of_such_unbalances(rule):
-    """Unbalances by rule replace those of the machine."""
+    """Tests that unbalances by rule replace those of the machine."""
     own = "    - unbalance: {at: middle, moment: 3 kg.mm, angle: 40 deg}"
     by_rule = response(", " + rule, own)
     said = [
@@ -119,8 +119,8 @@ def test_response_is_that_of_such_unbalances(rule):
 
 
 def test_scaled_responses():
-    """The limit over the largest amplitude of a probe in the range of running speeds scales the major axis at the
-    gap."""
+    """Tests that the major axis at the gap is scaled by the vibration limit over the largest amplitude of a probe at
+    running speeds."""
     own = "    - unbalance: {at: middle, moment: 0.3 kg.mm}"
     text = CASE.format(rule=", probes_at: left right", unbalances=own, k=20, end=1.9, mass=20, trip=TRIP)
     result = whirl.run(whirl.Case(text=text), progress=False)
@@ -141,8 +141,8 @@ def test_scaled_responses():
 
 
 def test_clearances_up_to_the_trip_speed(tmp_path):
-    """Clearances are checked up to the first point at or above the trip speed; if points end before it, a statement
-    says so."""
+    """Tests that clearances are checked up to the first point at or above the trip speed, and that a statement reports
+    points that end below it."""
     own = "    - unbalance: {at: middle, moment: 0.3 kg.mm}"
     text = CASE.format(rule=", probes_at: left right", unbalances=own, k=20, end=1.9, mass=20, trip=2000)
     text = text.replace("running_from: 5000", "running_from: 1000")
@@ -227,7 +227,8 @@ def test_stability_of_a_rigid_disc(share, expected, rotation):
 
 
 def test_stability_with_a_seal():
-    """A seal counts in the whole and at its station, not in the limit."""
+    """Tests that a seal changes the decrement with all seals and that of its station, but not the limit of the cross
+    coupling."""
     table = stability(
         0.5 * LIMIT, "    - bearing: {at: disc, kxy: 400000 N/m, kyx: -400000 N/m, cxx: 900 N s/m, role: seal}"
     )
@@ -261,8 +262,8 @@ study:
 
 
 def test_coefficients_of_short_films():
-    """The coefficients are those of Friswell et al. (2010), 5.5.1, in closed form of the load and the eccentricity
-    ratio; there v is up, u across."""
+    """Tests the coefficients of short films: Friswell et al. (2010), 5.5.1, give them in closed form by load and
+    eccentricity ratio, with v upwards and u across."""
     table = whirl.run(whirl.Case(text=FILMS), progress=False)["statics"]
     for point, speed in enumerate((2000 * RPM, 6000 * RPM)):
         load, e = (float(table["statics/" + name][point][0]) for name in ("load", "eccentricity"))
@@ -305,7 +306,8 @@ def test_margins_are_asked_where_probes_are():
 
 
 def test_peaks_without_a_probe_are_reported(tmp_path):
-    """A disc peaks at a running speed, and a probe at a pedestal does not: the report names the station of the peak."""
+    """Tests a response that peaks at the disc at a running speed, but not at the only probe, at a pedestal: the report
+    names the station of the peak."""
     path = tmp_path / "case.yaml"
     path.write_text(
         """

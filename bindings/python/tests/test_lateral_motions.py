@@ -1,4 +1,4 @@
-"""Motions compared with responses to unbalances by rule, of the rotor of test_lateral.py."""
+"""Tests motions of the rotor of test_lateral.py against its responses to unbalances by rule."""
 
 import subprocess
 
@@ -10,7 +10,7 @@ import whirl
 
 
 def test_motions_with_unbalances_by_rule(tmp_path):
-    """On bearings without films motions are the responses, times the factor, at every condition."""
+    """Tests that, with linear bearings, motions are the responses times the factor, at every condition."""
     text = CASE.replace("parameters: {{", "parameters: {{k: 20 MN/m, ").replace("{k} MN/m", "= k")
     text += """
   motions:
@@ -21,7 +21,7 @@ def test_motions_with_unbalances_by_rule(tmp_path):
   analyze: [poincare, regime, orbit, rub, spectrum]
 """
     own = "    - unbalance: {at: end, moment: 30 g.mm}"
-    # Far from the gap, which responses do not see.
+    # Widen the gap, since the linear response has no contacts.
     text = text.replace("gap: 0.5 mm", "gap: 5 mm").replace("cxx: 5 kN s/m", "cxx: 60 kN s/m")
     text = text.format(rule=", antinodes_of: 1", unbalances=own, end=1.9, mass=20, trip=TRIP)
     result = whirl.run(whirl.Case(text=text), progress=False)

@@ -1,5 +1,5 @@
-"""Bearings, seals, dampers, magnets and supports as sheets: the numbers of the case, converted by hand; equilibria
-are those of the statics."""
+"""Tests the sheets of bearings, seals, dampers, magnets and supports: they have the numbers of the case, converted by
+hand, and the equilibria of the statics."""
 
 import re
 
@@ -89,7 +89,7 @@ def test_films(parts):
     assert (pad["preload"], pad["offset"], pad["pads"], pad["arc"]) == pytest.approx((0.4, 0.5, 5, 60))
     assert (pad["kind"], pad["oil"]) == ("tilting pad, tilting-5", "ISO VG 32")
     assert own["SI"]["turned"]["viscosity"] == pytest.approx(17.0e-3 / 1e-3, rel=1e-12)
-    # Pivots of tilting-5 stand every 72 degrees, the load between two of them; turned by half of that it is on one.
+    # The pivots of tilting-5 are 72 degrees apart with the load between two pads; turned by 36 degrees, it is on a pad.
     assert sorted(np.mod(pad["pivots"], 72.0)) == pytest.approx([18.0] * 5)
     assert pad["weight"].startswith("between pads ") and own["US"]["turned"]["weight"].startswith("on pad ")
     film, squeeze = own["US"]["film"], own["US"]["damper"]
@@ -102,7 +102,8 @@ def test_films(parts):
 
 
 def test_clockwise_pads_are_the_mirror_image(parts):
-    """The weight keeps its direction; the mirror image of a usual shape has the pivots at 180 degrees minus theirs."""
+    """Tests a rotor that turns clockwise: the weight keeps its direction, and a pivot at an angle a is at 180 degrees -
+    a."""
     mirrored = rows(machine("rotation: clockwise"), "journal_bearings")
     own = rows(parts, "journal_bearings")
     assert sorted(np.mod(180.0 - np.array(own["pads"]["pivots"]), 360.0)) == pytest.approx(
@@ -154,12 +155,14 @@ def test_places_of_rest_are_those_of_the_statics(tmp_path):
         assert np.hypot(*place) == pytest.approx(read["eccentricity"] * clearance, rel=1e-9)
         assert read["film"] == pytest.approx(clearance * (1 - read["eccentricity"]), rel=1e-6)
         speeds.append(round(row[sheet.keys[0]]))
-    # The bounds, some between, and those nearest to the running speeds, 3240 and 3780 rpm.
+    # The sheet has the first and the last speed, some between, and those nearest to the running speeds of 3240 and
+    # 3780.
     assert sorted(set(speeds)) == [600, 1800, 3000, 3200, 3800, 4200, 5400]
 
 
 def test_figure_of_places_of_rest():
-    """Films carry the weight on the side that it points to; the figure has the statics' places, in its units."""
+    """Tests the figure of rest positions: one panel for each bearing and none for the seals, the positions of the
+    statics in the figure's units, and the walls at the clearance."""
     text = (ROOT / "cases/pump.yaml").read_text()
     text = text.replace("  statics: {}", "  statics: {parameter: speed, values: [1000 rpm, 2000 rpm, 4000 rpm]}")
     text = re.sub(r"(?m)^  (motions|starts|integrate|analyze|modes|critical_speeds|stability):.*\n", "", text)

@@ -1,8 +1,9 @@
-"""Rotors whose answers are published: those of ROSS's own tests, and the overhung fan of a textbook.
+"""Tests rotors with published results: the rotors of ROSS's tests, and the overhung fan of a textbook.
 
-Numbers of ROSS are those that ross/tests asserts (github.com/petrobras/ross, commit 631a249), to its tolerances or
-better. All are shafts of steel, 50 mm thick and in elements of 0.25 m, with discs of steel on them: Friswell, Penny,
-Garvey, Lees (2010), Dynamics of Rotating Machines, section 5.9, and what ROSS has made of these examples.
+The expected numbers are those that ross/tests asserts (github.com/petrobras/ross, commit 631a249); they are met to
+ROSS's tolerances or better. All rotors are steel shafts with a diameter of 50 mm and elements of 0.25 m, with steel
+discs. They are examples of Friswell, Penny, Garvey, Lees (2010), Dynamics of Rotating Machines, section 5.9, and
+variations of these by ROSS.
 """
 
 import numpy as np
@@ -162,14 +163,15 @@ def plain_seal(speed, pressure, radius=0.1, length=0.04, clearance=0.25e-3, dens
 
 
 def test_plain_seal():
-    """The closed form agrees at a state where it equals, to 12 digits, the flow's equations integrated with 30."""
+    """Tests the closed form at a state at which the equations of the flow were integrated with 30 digits."""
     found = plain_seal(100 * np.pi, 1e6, radius=0.05, length=0.05, clearance=2e-4)
     assert found == pytest.approx((3685982.251, 26317.55976, 8.437355202), rel=5e-10)
 
 
 def test_pump():
-    """An impeller of 60 kg between two wear rings whose pressure rises with the square of the speed (Lomakin 1958): its
-    modes are the roots of (m + 2M) s^2 + 2 (C - i W M) s + k + 2 (K - M W^2/4 - i C W/2) = 0, W the speed."""
+    """Tests an impeller of 60 kg between two wear rings whose pressure rises with the square of the speed (Lomakin
+    1958): its modes are the roots of (m + 2M) s^2 + 2 (C - i W M) s + k + 2 (K - M W^2/4 - i C W/2) = 0, W the
+    speed."""
     mass, stiffness = 60.0, 15e6
     speeds = np.linspace(1000, 8000, 8) * RPM
     rings = [plain_seal(speed, 1e6 * (speed / (3000 * RPM)) ** 2) for speed in speeds]
@@ -202,4 +204,4 @@ study:
     found = whirl.run(whirl.Case(text=text), progress=False)["modes"]
     own = found["modes/growth"] + 1j * found["modes/frequency"]
     assert own[:, :2] == pytest.approx(np.array(expected), rel=1e-9)
-    assert (own[4:, :2].imag > np.sqrt(stiffness / mass)).all()  # the dry critical speed, 4775 rpm, is far below
+    assert (own[4:, :2].imag > np.sqrt(stiffness / mass)).all()  # above the dry critical speed, 4775 rpm

@@ -1,4 +1,4 @@
-"""cases/misalignment.yaml: the effect of each of three kinds of misalignment on the fan and on the readings of
+"""Tests cases/misalignment.yaml: the effect of each of three kinds of misalignment on the fan and on the readings of
 probes."""
 
 import copy
@@ -43,8 +43,8 @@ def test_each_sense_has_its_order():
     straight = lines(at(bend="0")[0], FAN)
     assert straight.get(2, 0.0) < 0.01 * fan[2] and straight[1] == pytest.approx(fan[1], rel=0.02)
 
-    # The 2X line is in proportion to T tan b. The torque changes by little only, so that its steady part leaves the
-    # stiffness of the cubic seat as it is.
+    # The 2X line is proportional to T tan b. The torque is changed only slightly, so that its steady part hardly
+    # changes the stiffness of the cubic seat.
     more = lines(at(torque="152 N m")[0], FAN)
     assert more[2] / fan[2] == pytest.approx(152 / 150, rel=2e-3)
 

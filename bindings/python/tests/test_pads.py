@@ -1,5 +1,5 @@
-"""Bearings of pads as elements of a machine, compared with two methods of growth.md B3 and B4: the equilibrium of the
-journal, and its motions."""
+"""Tests bearings of pads as elements of a machine: the equilibrium of the journal and its motions agree with reference
+values on which two independent methods agree (tests/validation/test_pads.c)."""
 
 import numpy as np
 import pytest
@@ -30,7 +30,7 @@ def strength(ratio):
 
 
 def run(kind, keys, ratio, load, study):
-    """Runs a mass whose weight is the load, given over the strength, with an unbalance of 1e-4 of the clearance."""
+    """Runs a mass with an unbalance of 1e-4 of the clearance; its weight is `load` times strength(ratio)."""
     mass = load * strength(ratio) / GRAVITY
     text = CASE.format(
         speed=SPEED,
@@ -45,9 +45,10 @@ def run(kind, keys, ratio, load, study):
 
 
 def in_newtons(of_load, weight):
-    """Returns K and C in the case's frame from K c/W and C c Omega/W in Lund's, x along the load."""
+    """Returns K (or C Omega) in the frame of the case from K c/W (or C c Omega/W) in Lund's frame, whose x axis is
+    along the load."""
     k = np.array(of_load, float).reshape(2, 2) * weight / CLEARANCE
-    turn = np.array([[0, -1], [1, 0]], float)  # rows: Lund's axes, the load along -y
+    turn = np.array([[0, -1], [1, 0]], float)  # rows: axes of Lund's frame; the load is along -y
     return turn.T @ k @ turn
 
 
@@ -67,7 +68,8 @@ ROWS = {
 
 @pytest.mark.parametrize("row", ROWS, ids=lambda row: row[0])
 def test_fixed_pads(row):
-    """The equilibrium agrees to 2e-3 of the clearance, eigenvalues to 1 % of those of the published K and C."""
+    """Tests that the equilibrium agrees to 2e-3 of the clearance, and the slowest eigenvalue to 1 % with that of the
+    published K and C."""
     shape, preload, ratio, sommerfeld = row
     place, stiffness, damping = ROWS[row]
     load = 1 / (np.pi * sommerfeld)
@@ -84,8 +86,8 @@ def test_fixed_pads(row):
 
 @pytest.mark.parametrize("keys, method", [("inertia: 1e-5 kg m2", "rodas5p"), ("count: 1", "dop853")])
 def test_tilting_pads(keys, method):
-    """Five pads of small inertia, and of none, load between pads: the unbalance response is that of the reduced
-    coefficients at the whirl ratio 1, to 1 %; so are motions."""
+    """Tests five pads with the load between two of them. The unbalance response and the amplitude of the motion agree
+    to 1 % with the reduced coefficients at the whirl ratio 1."""
     load, reduced = 1 / (np.pi * 0.5), ((6.47468, 7.60997), (7.40401, 8.13164))
     study = f"""  unbalance: {{}}
   response: {{}}
@@ -114,8 +116,8 @@ def test_every_usual_bearing_rests_as_by_itself(shape):
 
 @pytest.mark.parametrize("inertia", [1e-4, 0])
 def test_pivots_that_yield(inertia):
-    """With yielding pivots, the response to unbalance and a motion are those of the condensed coefficients of the
-    bearing by itself; very stiff pivots are as rigid ones."""
+    """Tests elastic pivots: the response to unbalance and the motion agree with the reduced coefficients of the bearing
+    computed without a rotor; very stiff pivots give the result of rigid ones."""
     load, keys = 1 / (np.pi * 0.5), f"shape: tilting-5, preload: 0.5, inertia: {inertia} kg m2"
     pivot = {"pivot_stiffness": 2e8, "pivot_damping": 2e4, "pad_mass": 0.8}
     study = """  unbalance: {}
@@ -127,7 +129,7 @@ def test_pivots_that_yield(inertia):
     mass, result = run("tilting_pad", f"{keys}, {said}", 0.5, load, study)
     file = {"kind": "tilting-5", "preload": 0.5, "radius": RADIUS, "length": RADIUS, "pad_clearance": CLEARANCE}
     file |= {"viscosity": VISCOSITY, "speed": SPEED, "load": mass * GRAVITY, "pad_inertia": 1e-4}
-    alone = whirl.bearing({**file, **pivot})  # of the inertia 1e-4, which films make of no consequence
+    alone = whirl.bearing({**file, **pivot})  # an inertia of 1e-4 has hardly any effect
     force = 1e-4 * mass * CLEARANCE * SPEED**2
     z = np.diag(alone.stiffness[0]) + 1j * SPEED * np.diag(alone.damping[0]) - mass * SPEED**2
     expected = np.abs(force / z) / CLEARANCE
@@ -136,12 +138,12 @@ def test_pivots_that_yield(inertia):
     rigid = np.squeeze(run("tilting_pad", keys, 0.5, load, "  unbalance: {}")[1]["unbalance"]["unbalance/amplitude"])
     stiff = run("tilting_pad", f"{keys}, pivot_stiffness: 1e15, pad_mass: 0.8", 0.5, load, "  unbalance: {}")[1]
     assert np.squeeze(stiff["unbalance"]["unbalance/amplitude"]) == pytest.approx(rigid, rel=1e-6)
-    assert abs(expected / rigid[:2] - 1).max() > 0.1  # and these are not rigid
+    assert abs(expected / rigid[:2] - 1).max() > 0.1  # elastic pivots change the response
 
 
 def test_without_inertia_all_else():
-    """Turbulent films on yielding pivots have the same equilibrium and response with pads of hardly any inertia and
-    of none."""
+    """Tests that turbulent films on elastic pivots have the same equilibrium and response with pads of a tiny inertia
+    and without inertia."""
     oil = "density: 4000 kg/m3, turbulence: ng-pan, pivot_stiffness: 2e8, pivot_damping: 2e4, pad_mass: 0.8"
     keys, rests = f"shape: tilting-5, preload: 0.5, tilt_stiffness: 20 N.m/rad, {oil}", {}
     for inertia in (1e-6, 0):
@@ -154,7 +156,8 @@ def test_without_inertia_all_else():
 
 
 def test_turbulent_pads():
-    """Equilibrium and growth of the slowest mode are those of the bearing by itself: the same local factors."""
+    """Tests that equilibrium and growth of the slowest mode are those of the bearing computed without a rotor, with the
+    same turbulence factors."""
     load, ratio, speed, study = 0.5, 0.5, SPEED, "  modes: {}"
     oil = ", density: 4000, turbulence: ng-pan"  # Reynolds number 628
     mass, result = run("pad_bearing", "shape: two-groove" + oil, ratio, load, study)
@@ -170,7 +173,8 @@ def test_turbulent_pads():
 
 
 def test_journals_of_other_shafts():
-    """A shaft that turns twice as fast as the rotor has the films of a rotor of its speed, whichever way it turns."""
+    """Tests that the films of a shaft with a speed ratio are those of a rotor that turns at the shaft's speed, in
+    either direction."""
 
     def modes(speed, ratio, shape, more=""):
         text = f"""
@@ -204,9 +208,9 @@ study:
     for speed, ratio in ((150, 2), (600, 0.5)):
         own, grown = modes(speed, ratio, shape)
         assert own == pytest.approx(rest, abs=1e-8) and grown == pytest.approx(growth, rel=1e-6)
-    back, _ = modes(150, -2, shape)  # the mirror image
+    back, _ = modes(150, -2, shape)  # turning backwards gives the mirror image
     assert np.abs(back) == pytest.approx(np.abs(rest), abs=1e-8) and not np.allclose(back, rest)
-    # Between two shafts a film has the speeds of both, and pads have none.
+    # A film between two shafts takes the speeds of both; pads are not allowed there.
     film = "    - film: {at: slow, from: a, law: finite, clearance: 1 mm, viscosity: 0.1 Pa.s"
     film += ", radius: 3 cm, length: 3 cm"
     own, _ = modes(150, 2, shape, film + "}")
@@ -226,9 +230,9 @@ TRANSIENT = """  response: {{}}
 
 @pytest.mark.parametrize("keys", ["tilt_stiffness: 20 N.m/rad", "offset: 0.6", "tilt_damping: 0.4 N.m.s/rad"])
 def test_without_inertia(keys):
-    """A journal that is let go falls among its pads, some of which are unloaded then: its motion without inertia is
-    that with a hundredth of a pad's, by both methods: to 2e-4 of the clearance, which the least damper of pads without
-    inertia makes, and to 2e-6 where they are damped more.
+    """Tests a journal that is released and falls, so that some pads are unloaded. With both methods, pads without
+    inertia give the motion of pads with 1e-6 kg m2. It agrees to 2e-4 of the clearance, limited by the least damping
+    that pads without inertia have, and to 2e-6 if pads are damped more.
     """
     load, ends = 1 / (np.pi * 0.5), {}
     shape = "shape: tilting-5"

@@ -1,4 +1,4 @@
-"""The functions of `plot` draw panels of figures: of the chosen table, station, point and field."""
+"""Tests that the functions of `plot` draw panels of figures for the chosen table, station, point and field."""
 
 import json
 
@@ -58,7 +58,7 @@ def test_diagrams_are_panels_of_figures(good, branches):
 
 
 def test_a_diagram_has_the_points_of_its_sections(good):
-    """Dots nearer than half a thousandth of the axis are drawn as one."""
+    """Tests that a diagram has the points of its sections; dots closer than 1/2000 of the axis are drawn once."""
     drawn = np.array(sorted(drawn_in(good.plot.bifurcation(coordinate="y"))))
     section, values = good["sweep"]["poincare/section"][:, 0, :, 1], good["sweep"].values
     near = (section.max() - section.min()) / 1000
@@ -68,7 +68,7 @@ def test_a_diagram_has_the_points_of_its_sections(good):
 
 
 CHOICES = [
-    ("", "(rpm)", "/ ", 600.0, 1.0),  # as reports do: over the scale where that has a name
+    ("", "(rpm)", "/ ", 600.0, 1.0),  # as in reports: lengths over the scale
     ("mm", "(rpm)", "(mm)", 600.0, 0.2),
     ("um, rad/s, p-p", "(rad/s)", "(\u00b5m)", 20 * np.pi, 200.0),
     ("mil", "(rpm)", "(mil)", 600.0, 0.2e-3 / 25.4e-6),
@@ -117,7 +117,7 @@ def test_axes_and_styles_are_taken(good):
     _, own = plt.subplots()
     ax = good.plot.bifurcation(ax=own, color="red", marker="x")
     assert ax is own and {line.get_color() for line in ax.get_lines()} == {"red"}
-    assert ax.get_lines()[0].get_marker() == "x" and not ax.get_legend()  # whose colours would be others
+    assert ax.get_lines()[0].get_marker() == "x" and not ax.get_legend()  # a legend would show other colours
     assert good.plot.bifurcation().get_legend() and good.plot.lyapunov().get_legend()
     assert good.plot.bifurcation(label="first").get_legend_handles_labels()[1] == ["first"]
     _, pair = plt.subplots(2)
@@ -193,8 +193,8 @@ def test_a_section_by_index_and_by_value(good):
 
 
 def test_a_value_means_the_same_point_everywhere(good, good_file):
-    """The sweep goes from 1 to 4 rad/s in steps of 0.75. A value with a unit or in SI selects a point, up to a step
-    beyond the ends."""
+    """Tests a sweep from 1 to 4 rad/s in steps of 0.75: a value with a unit or in SI selects the nearest point, up to a
+    step beyond the ends."""
     sweep, opened = good["sweep"], whirl.open(good_file)
     for given, expected in ((1, 0), (1.4, 1), ("13.4 rpm", 1), (0.26, 0), (4.74, 4), ("4.74 rad/s", 4), (2.5, 2)):
         text = given if isinstance(given, str) else repr(float(given))
@@ -234,7 +234,7 @@ def test_an_orbit_passes_through_its_sections():
     assert np.allclose(path, result["sweep"]["waveform/samples"][1, 0], rtol=1e-12)
     marks = np.array([pair for line in ax.get_lines() if line.get_linestyle() == "None" for pair in line.get_xydata()])
     from_path = np.abs(marks[:, None] - path[None]).max(axis=2).min(axis=1)
-    assert len(marks) == 4 and (np.sort(from_path)[:-1] < 1e-12).all()  # the last ends one sample beyond the path
+    assert len(marks) == 4 and (np.sort(from_path)[:-1] < 1e-12).all()  # the last one is a sample beyond the path
     assert np.allclose(sorted(drawn_in(result.plot.orbit(1, table="sweep"))), sorted(drawn_in(ax)))
 
 
@@ -246,7 +246,7 @@ def test_points_of_the_table_that_is_asked_for():
             drawn = drawn_in(result.plot.poincare(point, table=table))
             assert drawn == {tuple(pair) for pair in result[table]["poincare/section"][point, 0, :, :2]}
     assert len(result["detail"]["poincare/section"][0, 0]) == 12
-    assert result.plot.orbit(1).get_title().startswith("omega = 3.25 rad/s")  # waveforms are those of details
+    assert result.plot.orbit(1).get_title().startswith("omega = 3.25 rad/s")  # only points in detail have waveforms
     with pytest.raises(whirl.BadInput, match="the table detail has no figure 'bifurcation-disc'"):
         result.plot.bifurcation(table="detail")
 
@@ -262,7 +262,7 @@ def test_a_spectrum_has_backward_lines_below_zero(good):
 
 def test_a_waterfall_is_cut_at_an_order(good):
     ax = good.plot.waterfall(highest_order=1.5)
-    assert ax.get_xlim() == (-1.5, 1.5) and len(ax.figure.axes) == 2  # with the scale of its colours
+    assert ax.get_xlim() == (-1.5, 1.5) and len(ax.figure.axes) == 2  # the panel and its colour scale
 
 
 def test_amplitudes_are_counted_as_the_case_says():
@@ -290,7 +290,7 @@ def test_maps_show_regimes_and_numbers(map_files):
     assert present <= {name for name in REGIMES if any(name in text for text in legend)}
     _, own = plt.subplots()
     result.plot.map("orbit/max_radius", ax=own)
-    assert len(own.figure.axes) == 2  # a colour bar beside it
+    assert len(own.figure.axes) == 2  # the panel and its colour bar
     assert own.figure.axes[1].get_ylabel() == result.figure_data("orbit/max_radius")["scale"]["label"]
 
 
@@ -424,5 +424,5 @@ def test_orbits_side_by_side_have_one_scale(good):
     figure, pair = plt.subplots(1, 2, sharex=True, sharey=True)
     for point, ax in enumerate(pair):
         good.plot.poincare(point, ax=ax)
-    figure.canvas.draw()  # refuses axes that are shared and equal at the cost of their limits
+    figure.canvas.draw()  # fails if shared axes with equal scales had to change their limits
     assert {ax.get_aspect() for ax in pair} == {1.0}

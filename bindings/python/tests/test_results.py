@@ -1,4 +1,4 @@
-"""Results in memory and in files hold the same bits, and those of the command."""
+"""Tests that results in memory and in files have the bits of the command's results."""
 
 import errno
 import gc
@@ -24,7 +24,7 @@ def same(one, other):
 
 
 def check_same(memory, file, path):
-    """Compare all of a result in memory with a file, read by this package and by h5py alone."""
+    """Compares all of a result in memory with a file, read by this package and by h5py alone."""
     assert list(memory.tables) == list(file.tables)
     assert memory.parameters == file.parameters and memory.stations == file.stations
     assert memory.contacts == file.contacts and memory.case_text == file.case_text
@@ -171,7 +171,7 @@ def test_arrays_are_not_copied_and_outlive_their_result(good_file):
 
 
 def test_opening_reads_no_field(good_file, tmp_path):
-    """A file whose numbers are damaged opens; only reading these numbers fails."""
+    """Tests that a file with damaged numbers opens, and that only reading these numbers fails."""
     path = tmp_path / "damaged.h5"
     path.write_bytes(good_file.read_bytes())
     with h5py.File(path) as file:
@@ -312,9 +312,9 @@ def test_si_where_the_speed_changes(speed, hertz, tmp_path):
             exponent, unit = table.si("lyapunov/largest")
             assert unit == "1/s" and np.allclose(exponent, table["lyapunov/largest"] * hertz, equal_nan=True)
             if np.isfinite(hertz).all() and speed == "omega":
-                # A perturbation of a linear rotor decays as exp(-d t/(2 m)) at every speed. Its size also counts
-                # velocities over the speed, so it oscillates by the ratio of natural frequency and speed, at most 2:
-                # the exponent has an error up to log(2) over the 8 s or more of the record.
+                # A perturbation of a linear rotor decays as exp(-d t/(2 m)) at every speed. Its norm includes
+                # velocities divided by the speed, so it oscillates by a factor of natural frequency over speed, at most
+                # 2. The error of the exponent is therefore up to log(2) over the length of the record, at least 8 s.
                 assert np.allclose(exponent, -2.5, atol=np.log(2) / 8 + 0.02)
 
 
@@ -433,7 +433,8 @@ def test_laws_that_are_left_are_reported():
 
 
 def test_contacts_that_hold_a_machine_at_rest():
-    """A spring of 400 kN/m carries 80 N at the gap. A stator of 2 MN/m takes 100 N of a weight of 200 N."""
+    """Tests a weight of 200 N: the spring of 400 kN/m carries 80 N at the gap, and the stator of 2 MN/m then takes 100
+    N."""
     case = whirl.Case(
         {
             "parameters": {"load": "10 m/s2"},

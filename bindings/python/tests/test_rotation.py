@@ -1,4 +1,4 @@
-"""A machine that turns clockwise is the mirror image, x for -x, of one that turns the other way."""
+"""Tests that a machine that turns clockwise is the mirror image (x becomes -x) of one that turns counter-clockwise."""
 
 import copy
 import re
@@ -11,9 +11,9 @@ from conftest import COMMAND, ROOT
 
 import whirl
 
-# Keys that the mirror changes, by the kind of the element: an angle a from the x axis becomes 180 degrees - a (the
-# number here is that of an absent key; None: an absent key stays absent), numbers with a sense change their sign.
-# Gravity and seats, along y, stay.
+# Keys that the mirror image changes, by the kind of the element. ANGLES: an angle a from the x axis becomes 180 degrees
+# - a; the number is the default of an absent key, None: an absent key stays absent. SIGNS: numbers that change their
+# sign. Gravity and seats act along y and do not change.
 ANGLES = {
     "disc": {"eccentricity_angle": 0},
     "unbalance": {"angle": 0},
@@ -44,7 +44,7 @@ ALIKE = (
     "shaft short_circuit spring squeeze stage synchronous_start timed_torque".split()
 )
 
-TWISTING = ("gear-rattle", "motor-start")  # no station moves across its shaft
+TWISTING = ("gear-rattle", "motor-start")  # cases in which no station moves laterally
 CASES = [
     path for path in sorted((ROOT / "cases").glob("*.yaml")) if "claims" not in path.name and path.stem not in TWISTING
 ]
@@ -94,7 +94,7 @@ def mirrored(case):
 
 
 def short(path):
-    """Makes the machine of a case, let go from off the middle for five revolutions."""
+    """Makes a case of five revolutions from an eccentric start."""
     case = yaml.load(path.read_text(), yaml.BaseLoader)
     how = case["study"].get("integrate", {})
     how = {key: how[key] for key in ("method", "steps_per_revolution") if key in how}
@@ -134,7 +134,7 @@ def test_a_clockwise_machine_is_the_mirror_image(path):
         "poincare/section": lambda a: a * np.tile(sign, 2),
     }.items():
         if path.stem == "magnetic-drop" and name.startswith("winding/"):
-            continue  # before the drop the retainer moves on a line: its winding is not defined
+            continue  # the retainer moves on a line before the drop, so its winding is not defined
         found, expected = np.asarray(theirs[name]), mirror(np.asarray(ours[name]))
         size = np.nanmax(np.abs(expected), initial=1e-300)
         assert np.allclose(found, expected, rtol=0, atol=1e-6 * size, equal_nan=True), name

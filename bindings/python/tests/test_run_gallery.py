@@ -1,6 +1,6 @@
-"""The run-ups of the gallery against independent programs, which solve the mass matrix of the written-out equations
-at every instant (SciPy's DOP853 at 1e-12) and keep the balance of energy: the energy of the motion is that of motors
-minus that of dampers, rubs, films and loads, to 2e-13 in all of them."""
+"""Tests the run-ups of the gallery against numbers of independent programs, which integrate the full equations of
+motion (SciPy's DOP853 at 1e-12, with the mass matrix solved at every instant). In each program the energy balance of
+motors, dampers, rubs, films and loads holds to 2e-13; the docstrings give its error."""
 
 import numpy as np
 import pytest
@@ -26,7 +26,7 @@ def check(table, name, point, turns, speed, x, y):
 
 
 def test_run_up_with_a_rub():
-    """Energy of the program: -8e-16. 152 times the contact opens or closes."""
+    """Energy error of the program: -8e-16. The contact opens or closes 152 times."""
     result = run("rub-run-up", runup__duration="3 s", runup__rtol="1e-12", runup__spectra=0)
     table = result["runup"]
     check(table, "rub-run-up", 0, 115.351269193, 424.199960604, 1.379296311e-05, -0.0001492130187)
@@ -41,13 +41,14 @@ def test_run_up_with_a_rub():
     ],
 )
 def test_sommerfeld_effect(point, turns, speed, x, y):
-    """Energy of the program: -1.4e-13 and -2.2e-14. One motor sticks below 100 rad/s, the other one passes."""
+    """Energy errors of the program: -1.4e-13 and -2.2e-14. One motor stays below 100 rad/s, the other one passes it."""
     table = run("sommerfeld", runup__duration="100 s", runup__rtol="1e-12", runup__stationary=0)["runup"]
     check(table, "sommerfeld", point, turns, speed, x, y)
 
 
 def test_start_of_a_motor():
-    """Energy of the program: 7e-15. The speeds of the stations, and the largest torques of both couplings."""
+    """Energy error of the program: 7e-15. Compares the speeds of the stations and the largest torques of both
+    couplings."""
     table = run("motor-start", runup__rtol="1e-12")["runup"]
     speeds = [182.230844673, 182.22871623, 2 * 182.22871623, 364.454569216]
     assert np.abs(table["runup/station_speed"][0, :, -1] - speeds).max() < 1e-7
@@ -57,8 +58,9 @@ def test_start_of_a_motor():
 
 
 def test_gears_rattle():
-    """At 1.2 of the natural frequency the teeth part once in every period, and the orbit is that of unknown switching
-    times and exponentials in 30 digits; what the torque gives in a period the damper takes."""
+    """At 1.2 of the natural frequency the teeth separate once in every period. The expected orbit is composed of
+    exponentials between switching times, solved with 30 digits; in a period the damper takes the energy that the torque
+    supplies."""
     result = run("gear-rattle", sweep__from="1.2", sweep__to="1.3", sweep__points=2)
     table = result["sweep"]
     assert table.verdicts[0] == "P-1"

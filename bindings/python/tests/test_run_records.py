@@ -1,4 +1,4 @@
-"""Records of runs: sensors that see a speed that changes, against SciPy and closed forms."""
+"""Tests records of runs, in which sensors measure at a changing speed, against SciPy and closed forms."""
 
 import h5py
 import numpy as np
@@ -67,8 +67,8 @@ def law_of(kind, frame, i):
 
 
 def turning(times, speeds):
-    """Returns the angle from time 0 on, the speed and the rate of a law that is straight between its rows and constant
-    before and after them."""
+    """Returns a function of time that gives the angle since time 0, the speed and its rate. The speed is linear between
+    the rows, and constant before and after them."""
     times, speeds = np.array(times), np.array(speeds)
     slopes = np.append(np.diff(speeds) / np.diff(times), 0.0)
     angles = np.append(0.0, np.cumsum(np.diff(times) * 0.5 * (speeds[1:] + speeds[:-1])))
@@ -100,7 +100,7 @@ def forces(at, begin, gap):
 
 
 def filtered(signal, times, samples):
-    """The antialias filter of the guide: a sinc under Kaiser's window, 16 samples to both sides."""
+    """Applies the antialias filter of the guide: a sinc with a Kaiser window over 16 samples on both sides."""
     reach, ratio = 16, 4
     u = np.arange(-reach * ratio, reach * ratio + 1) / ratio
     w = np.sinc(u) * np.i0(7.857 * np.sqrt(np.maximum(0.0, 1.0 - (u / reach) ** 2)))
@@ -112,7 +112,8 @@ def filtered(signal, times, samples):
 
 
 def integrated(law, begin, gap):
-    """Returns instants and the motion at them, by SciPy: piece by piece between corners of the law."""
+    """Integrates the motion by SciPy, piece by piece between the corners of the law; returns instants, states and
+    rates."""
     at, speed = turning(*law), law[1][0]
     times = (np.arange(4 * (SAMPLES + 36)) - 4 * 18) / (4.0 * RATE)
     ends = [
@@ -143,7 +144,8 @@ def test_signals_are_those_of_scipy(kind, tmp_path):
         signals = data.signals[i]
         for channel, exact in ((0, z[0]), (1, z[1]), (2, np.cos(np.pi / 6) * rates[2] + 0.5 * rates[3])):
             error = abs(signals[channel] - filtered(exact, times, SAMPLES)) / abs(exact).max()
-            # Where the rate jumps, so does the acceleration, which no samples show.
+            # Leave out accelerations near jumps of the rate, where the acceleration jumps too and samples cannot show
+            # it.
             corners = (min(abs(k / RATE - t) for t in law[0]) > 10 / RATE for k in range(SAMPLES))
             error = error[np.fromiter(corners, bool)] if channel == 2 else error
             assert error.max() < (2e-7 if channel < 2 else 2e-6 if i == 0 else 2e-3), (kind, i, channel)
@@ -162,7 +164,7 @@ def test_pulses_lie_at_angles_of_the_law(kind, tmp_path):
         edges = (np.arange(SAMPLES + 1) - 0.5) / RATE
         turns = at(edges)[0] / (2.0 * np.pi) + frame.begin[i]
         for channel, pulses, width in ((3, 1, 40.0), (4, 8, 10.0)):
-            # The share of a sample's angle that pulses cover, by the integral of the pulses over the angle.
+            # A sample is the share of its angle that pulses cover, from the integral of the pulses over the angle.
             half = 0.5 * width / 360.0
             passed = turns * pulses
             covered = np.floor(passed) * 2.0 * half + np.clip((passed % 1.0) / pulses, 0.0, half)
@@ -184,7 +186,8 @@ def test_jitter_of_pulses(tmp_path):
         middle, weight = 0.5 * (turns[1:] + turns[:-1]), data.signals[i, 3] * np.diff(turns)
         for pulse in range(2, int(turns[-1]) - 1):
             own = abs(middle - pulse) < 0.3
-            # A rising and a falling edge are exact where samples are cut by them; their mean is the pulse's angle.
+            # The rising edge cuts a sample, whose value gives the edge's exact angle; the pulse is half its width
+            # later.
             begin = np.flatnonzero(own & (data.signals[i, 3] > 0.0))[0]
             rise = turns[begin + 1] - weight[begin] if data.signals[i, 3, begin + 1] > 0.0 else np.nan
             errors.append(360.0 * (rise - pulse) + 20.0)
@@ -196,7 +199,8 @@ def test_jitter_of_pulses(tmp_path):
 
 
 def test_run_is_that_of_the_study(tmp_path):
-    """The motion behind a record has the largest radius of a run-up of the same machine, by the angle."""
+    """Tests that the motion of a record has the largest radius of a run-up of the same machine that starts at the same
+    angle."""
     data = made(tmp_path, UP)
     frame, table = data.index, whirl.read(tmp_path / "runs.h5")["records"]
     i = 0

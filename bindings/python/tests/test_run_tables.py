@@ -1,4 +1,4 @@
-"""Laws of a run as tables, of the case or of a file: closed forms, equal bits, and what is refused."""
+"""Tests laws of a run as tables in the case or in a file: closed forms, equal bits, and errors of invalid tables."""
 
 import numpy as np
 import pytest
@@ -34,7 +34,8 @@ def place(table):
 
 
 def test_ground_and_torque_of_a_list():
-    """x'' + 9 x = -a with a = 2 t to 1 s, 2 from there to 2 s, and none after the table; 4 w' = 5 t to 1 s, then 5."""
+    """Tests x'' + 9 x = -a with a = 2 t up to 1 s, 2 up to 2 s and 0 after the end of the table; and 4 w' = 5 t up to 1
+    s, then 5."""
     torque = "torque_law: [[0 s, 0 N.m], [1 s, 5 N.m], [4 s, 5 N.m]]"
     table = run(f"ground_x: [[0 s, 0 m/s2], [1 s, 2 m/s2], [2 s, 2 m/s2]], {torque}")
     w = 3.0
@@ -50,7 +51,7 @@ def test_ground_and_torque_of_a_list():
 
 
 def test_a_file_has_the_bits_of_the_list(tmp_path):
-    """Columns in any order, with their units; comments, separators."""
+    """Tests files with columns in any order, units, comments and different separators."""
     of_list = run(
         "ground_y: [[0.5 s, 1 m/s2], [0.75 s, -2 m/s2], [1.5 s, 0 m/s2]], load_law: [[0 s, 0 N.m], [3 s, 3 N.m]]"
     )
@@ -71,7 +72,7 @@ def test_speeds_of_a_file(tmp_path):
 
 
 def test_a_long_record_is_its_formula(tmp_path):
-    """12000 rows of a sine: the error of straight lines between them is (0.25 ms * 20/s)^2/8 of its size."""
+    """Tests 12000 rows of a sine; the relative error of linear interpolation is (0.25 ms * 20/s)^2/8."""
     t = np.linspace(0, 3, 12001)
     np.savetxt(
         tmp_path / "sine.csv", np.c_[t, np.sin(20 * t)], "%.12g", ",", header="time [s],ground_x [m/s2]", comments=""

@@ -1,4 +1,4 @@
-"""Runs: progress, journals, and Ctrl-C."""
+"""Tests runs: progress, journals, and Ctrl-C."""
 
 import copy
 import os
@@ -73,7 +73,7 @@ def test_a_journal_goes_on(tmp_path):
     assert ended.returncode == 0, ended.stderr
     assert (tmp_path / "kept.journal").exists()
     case = whirl.Case(GOOD).set("integrate.transient", 20000).set("sweep.points", 400)
-    with pytest.raises(whirl.BadInput):  # it is not written over
+    with pytest.raises(whirl.BadInput):  # an existing journal is not replaced
         whirl.run(case, journal=tmp_path / "kept.journal", progress=False)
     part = whirl.open(tmp_path / "part.h5")["sweep"]
     whole = whirl.run(case, journal=tmp_path / "kept.journal", resume=True, progress=False)["sweep"]
@@ -186,7 +186,8 @@ print(len(seen), *sorted({name for name, _ in seen}))
 
 
 def test_handlers_may_raise_anywhere(tmp_path):
-    """The handler of a signal raises an exception, and raises again at each of the following instructions in turn."""
+    """Tests a signal handler that raises an exception, and raises another one at each of the following instructions in
+    turn."""
     words = [sys.executable, "-c", AGAIN, GOOD, tmp_path / "journal"]
     ended = subprocess.run(words, capture_output=True, text=True, timeout=120)
     assert ended.returncode == 0, ended.stderr
@@ -196,7 +197,7 @@ def test_handlers_may_raise_anywhere(tmp_path):
 
 def test_results_are_freed_at_once():
     result = whirl.run(whirl.Case(GOOD), progress=False)
-    result.plot  # which is a view of it
+    result.plot  # makes an object that refers to the result
     gone, array = weakref.ref(result), result["sweep"]["poincare/section"]
     owner = weakref.ref(result._source)
     del result
@@ -237,7 +238,7 @@ ended.wait()
 
 
 def test_python_exit():
-    """A run in a daemon thread is stopped, and has ended, before Python exits."""
+    """Tests that a run in a daemon thread is stopped and has ended before Python exits."""
     for _ in range(3):
         ended = subprocess.run([sys.executable, "-c", LEAVING, GOOD], capture_output=True, text=True, timeout=60)
         assert (ended.returncode, ended.stdout) == (0, "left with 0 runs\n"), ended.stderr

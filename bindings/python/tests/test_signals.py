@@ -1,4 +1,4 @@
-"""Measured signals: the results of computed motions, and independent formulas."""
+"""Tests measured signals against results of computed motions and independent formulas."""
 
 import re
 import runpy
@@ -31,7 +31,7 @@ def rub():
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
-    """The folder of the record of that rotor."""
+    """The folder with the record of the rotor that rubs."""
     folder = tmp_path_factory.mktemp("measured")
     subprocess.run([sys.executable, EXAMPLE], cwd=folder, check=True)
     return folder
@@ -49,7 +49,7 @@ def run_up(rate=5000.0, seconds=2.0):
     return time, time * (30 + 2.5 * time), lambda turns: (-30 + np.sqrt(900 + 10 * turns)) / 5
 
 
-# ---------------------------------------------------------------- beside results
+# ---------------------------------------------------------------- compared with results
 
 
 def test_the_package_loads_signals_when_they_are_asked_for():
@@ -58,7 +58,8 @@ def test_the_package_loads_signals_when_they_are_asked_for():
 
 
 def test_samples_of_a_result_give_its_own_numbers_to_the_bit(rub):
-    """Time is in turns here. The time of the first pulse is the end of the record, which is a period of the motion."""
+    """Tests samples of a result as a record whose time is in turns. The motion is periodic, so its last sample also
+    serves as the sample at time 0, the first pulse."""
     table = rub[0]["sweep"]
     waveform = table["waveform/samples"][0, 0]
     path = np.vstack([waveform[-1:], waveform]).T
@@ -73,18 +74,19 @@ def test_samples_of_a_result_give_its_own_numbers_to_the_bit(rub):
 
 
 def test_a_result_sampled_in_time_gives_its_own_section_and_spectrum(rub):
-    """512/3 samples per revolution, and a keyphasor whose edge is a straight line.
+    """Tests 512/3 samples per revolution, and a keyphasor whose edge is a straight line.
 
-    The disc leaves the stator 0.02 turns before the pulse: eight samples of 3/512 turns hardly see that kink of the
-    force. With every ninth sample they do, and the section is known to 5e-6 only.
+    The disc leaves the stator 0.02 turns before the pulse, where the force has a kink. The interpolation over eight
+    samples, 3/512 turns apart, hardly includes the kink. With every ninth sample it does, and the section is only
+    accurate to 5e-6.
     """
     table = rub[0]["sweep"]
     motion = table["waveform/samples"][0, 0][1:-1:3]
     turns = np.arange(2, 256 * 512, 3) / 512
     after = np.remainder(turns + 0.5, 1) - 0.5
-    keyphasor = np.clip(20 * after, -1, 1) * (np.abs(after) < 0.4)  # 5 V from 0.05 turns on, back at half a turn
+    keyphasor = np.clip(20 * after, -1, 1) * (np.abs(after) < 0.4)  # rises over 0.1 turns at the pulse, 0 beyond 0.4
     record = signals.Record(turns / 116.0, *motion.T, keyphasor=keyphasor, threshold=0.0, hysteresis=0.5)
-    assert len(record.speed) == 254  # an even number: of an odd one half the order leaks to 1X by 1e-7
+    assert len(record.speed) == 254  # an even number; with an odd one, order 1/2 leaks into 1X by 1e-7
     assert np.allclose(record.speed, 2 * np.pi * 116.0, rtol=1e-11)
     section = table["poincare/section"][0, 0, :, :2]
     first = int(round(record.pulses[0] * 116.0))
@@ -98,7 +100,7 @@ def test_a_result_sampled_in_time_gives_its_own_section_and_spectrum(rub):
     assert np.abs(full.synchronous - table["spectrum/synchronous"][0, 0]).max() < 1e-10 * size
 
 
-# ---------------------------------------------------------------- beside formulas of one's own
+# ---------------------------------------------------------------- compared with independent formulas
 
 
 def test_pulses_speed_and_phases_of_a_run_up():
@@ -106,7 +108,7 @@ def test_pulses_speed_and_phases_of_a_run_up():
     record = signals.Record(5000.0, np.cos(2 * np.pi * turns), keyphasor=np.sin(2 * np.pi * turns))
     assert np.array_equal(record.time, time)
     count = np.arange(1, len(record.pulses) + 1)
-    assert len(count) == 69 and np.abs(record.pulses - time_of(count)).max() < 1e-7  # the sine's edge is a little bent
+    assert len(count) == 69 and np.abs(record.pulses - time_of(count)).max() < 1e-7  # the sine's edge is curved
     middles = 0.5 * (time_of(count[1:]) + time_of(count[:-1]))
     assert np.allclose(record.speed, 2 * np.pi * (30 + 5 * middles), rtol=1e-5)
     assert np.allclose(record.section(phase=np.pi / 2), 0.0, atol=1e-4)
@@ -121,7 +123,7 @@ def test_order_spectra_are_those_of_scipy():
     x = 1.5 + np.cos(angle - 0.4) + 0.3 * np.cos(2.5 * angle)
     record = signals.Record(time, x, 3 * x, pulses=time_of(np.arange(70)))
     spectrum = record.spectrum(highest_order=5.0, samples=200)
-    # Times of equal angles from the formula, signals by cubic splines, the transform by NumPy.
+    # Take the times of equal angles from the formula, interpolate signals by cubic splines, and transform by NumPy.
     even = interpolate.CubicSpline(time, x)(time_of(np.arange(1, 69 * 200 + 1) / 200))
     window = np.sin(np.pi * np.arange(len(even)) / len(even)) ** 2
     mean = (even * window).sum() / window.sum()
@@ -189,12 +191,12 @@ def test_recurrence_is_that_of_the_whole_plot():
     assert found.longest == max(diagonals)
 
 
-# ---------------------------------------------------------------- a record as users have
+# ---------------------------------------------------------------- a realistic record
 
 
 def test_the_measured_rub_is_the_computed_one(rub, record):
-    """With noise of 0.2 um, probes of a resolution of 0.1 um, and a speed that varies by 1 %, the verdict is that of
-    the computation."""
+    """Tests a record with noise of 0.2 um, a resolution of 0.1 um and a speed that varies by 1 %: its analyses agree
+    with the computed motion."""
     table, example = rub[0]["sweep"], rub[1]
     micrometres = table.length_scale[0] * 1e6
     known = np.linspace(0.0, 2.0, 2_000_001)
@@ -317,11 +319,12 @@ def test_wrong_numbers_are_refused(wrong):
         signals.Record(wrong, np.arange(2000.0), pulses=[1.0, 2.0])
 
 
-# ---------------------------------------------------------------- pulses and angles that cannot be
+# ---------------------------------------------------------------- wrong pulses and angles
 
 
 def turning():
-    """Returns a shaft from 1500 to 1620 rpm that whirls with 40 along x: rate, angle, x, y, keyphasor."""
+    """Returns rate, angle, x, y and keyphasor of a shaft that runs from 1500 to 1620 rpm and whirls with an amplitude
+    of 40 along x."""
     rate = 5120.0
     time = np.arange(int(rate * 6)) / rate
     angle = np.cumsum(2 * np.pi * (25 + 2 * time / 6)) / rate
@@ -330,7 +333,8 @@ def turning():
 
 @pytest.mark.filterwarnings("error")
 def test_missed_pulse():
-    """A missed or false pulse is refused by its number, at any place; with several teeth every n-th pulse counts."""
+    """Tests that a missed or false pulse at any position is refused with its number; with several teeth every n-th
+    pulse counts."""
     rate, angle, x, y, key = turning()
     good = signals.Record(rate, x, y, keyphasor=key)
     assert abs(good.full_spectrum().synchronous[0] - 40) < 2e-3
@@ -363,7 +367,7 @@ def test_pulses_of_a_wheel():
 
 
 def test_a_short_record_with_a_missed_pulse():
-    """A record of fifty samples has three pulses, after 8.1 and 16.8 of them."""
+    """Tests a record of fifty samples with three pulses, 8.1 and 16.8 samples apart."""
     voltage = np.cos(2 * np.pi * (np.arange(50.0) - 1) / 8.3)
     voltage[30:37] = -1.0
     samples = 50.0, np.sin(np.arange(50.0))
@@ -376,7 +380,7 @@ def test_a_short_record_with_a_missed_pulse():
 
 @pytest.mark.parametrize("order", [1, -1])
 def test_a_shaft_may_start_from_rest_and_run_down(order):
-    """Revolutions of a constant acceleration from rest: the first is 2.4 times as long as the second."""
+    """Tests a constant acceleration from rest, in which the first revolution takes 2.4 times as long as the second."""
     pulses = np.sqrt(np.arange(40.0))
     signals.check_pulses(pulses if order > 0 else pulses[-1] - pulses[::-1])
     signals.check_pulses(pulses[:4] if order > 0 else pulses[3] - pulses[3::-1])

@@ -1,4 +1,4 @@
-"""Measured signals over time and speed: tracked orders, spectra of windows, fatigue."""
+"""Tests measured signals over time and speed: tracked orders, spectra of windows, fatigue."""
 
 import numpy as np
 import pytest
@@ -34,7 +34,7 @@ def two_orders():
 
 @pytest.mark.parametrize("poles", [1, 2])
 def test_vold_kalman_solves_the_dense_equations(poles):
-    """The amplitudes are those of NumPy's least squares of all rows, without normal equations."""
+    """Tests that amplitudes are those of NumPy's least squares over all equations, without normal equations."""
     time, angle, values = two_orders()
     found = signals.vold_kalman(values, angle, [1, 2], rate=200.0, bandwidth=2.0, poles=poles)
     weight = np.sqrt((np.sqrt(2) - 1) / (2 * np.sin(np.pi * 2.0 / 400.0)) ** (2 * poles))
@@ -49,10 +49,10 @@ def test_vold_kalman_solves_the_dense_equations(poles):
 
 
 def test_vold_kalman_of_a_record_with_a_line_of_the_mains():
-    """Amplitudes over a run-up through 35 turns a second, where the first order crosses a line of 35 Hz."""
+    """Tests amplitudes in a run-up in which the first order crosses a line of 35 Hz."""
     time, turns, time_of = run_up()
     angle, line = 2 * np.pi * turns, 2 * np.pi * 35.0 * time
-    signal = 3.0 * np.cos(angle - 0.7) + np.cos(3 * angle) + 0.5 * np.cos(line) - 800.0  # the mean of a gap
+    signal = 3.0 * np.cos(angle - 0.7) + np.cos(3 * angle) + 0.5 * np.cos(line) - 800.0  # -800: mean gap of the probe
     record = signals.Record(time, signal, pulses=time_of(np.arange(70)))
     found = record.vold_kalman([1, 3], bandwidth=2.0, phases=line)
     inside = ~found.doubtful.any(axis=0)
@@ -64,8 +64,9 @@ def test_vold_kalman_of_a_record_with_a_line_of_the_mains():
 
 
 def passage(angles=None):
-    """Returns a record of a shaft that runs from 5 to 45 turns a second through its resonance at 30, 1 turn a second
-    faster in a second, on a runout of 4 at the probes, and the displacement vectors of x and y over turns a second."""
+    """Returns the arguments of the record of a shaft that runs up from 5 to 45 turns a second, at 1 turn/s2, through
+    its resonance at 30 turns a second, with a runout of 4 at the probes; and a function that gives the vectors of the
+    displacements x and y, without runout, at a speed in turns a second."""
     time = np.arange(int(1000 * 40)) / 1000
     turns, fast = 5 * time + 0.5 * time**2, 5 + time
     angle = 2 * np.pi * turns
@@ -154,8 +155,8 @@ def test_slow_roll_within_the_record_and_below_resonances():
 
 
 def test_a_spectrogram_says_what_a_sweep_loses():
-    """Windows of 2 s while a shaft gains 1 turn a second in a second: 1X is at a frequency of the spectrum in the
-    middle of each."""
+    """Tests windows of 2 s in a run-up by 1 turn/s2. In the middle of each window, 1X is at a frequency of the
+    spectrum."""
     time = np.arange(40 * 1000) / 1000
     pulses = -5 + np.sqrt(25 + 2 * np.arange(980))
     angle = 2 * np.pi * (5 * time + 0.5 * time**2)
@@ -207,7 +208,7 @@ def test_figures_over_time_and_speed():
 
 
 def test_vold_kalman_says_where_an_order_is_slower_than_the_band():
-    time = np.arange(20000) / 1000  # a run-up from rest by 2 turns a second in a second
+    time = np.arange(20000) / 1000  # a run-up from rest by 2 turns/s2
     angle = 2 * np.pi * time**2
     found = signals.vold_kalman(np.cos(angle), angle, rate=1000.0, bandwidth=1.0)
     assert found.doubtful[0, time < 1.0].all() and not found.doubtful[0, (time > 1.01) & (time < 18.99)].any()
@@ -222,8 +223,8 @@ def test_vold_kalman_says_where_an_order_is_slower_than_the_band():
 
 
 def four_points(values):
-    """Returns the cycles of each range by the method of four points (Amzallag et al. 1994), with half cycles of the
-    rest."""
+    """Returns the cycles of each range by the method of four points (Amzallag et al. 1994); the residue counts as half
+    cycles."""
     turning = [values[0]]
     for value in values[1:]:
         if len(turning) > 1 and (turning[-1] - turning[-2]) * (value - turning[-1]) > 0:

@@ -1,4 +1,4 @@
-"""Custom systems: every way to give the slopes leads to the closed form, and errors are sentences."""
+"""Tests custom systems: all ways to define the slopes give the closed form, and errors are sentences."""
 
 import functools
 import importlib.util
@@ -57,7 +57,7 @@ def check_sweep(result, omegas=OMEGAS, velocity=2):
 def test_a_python_function_is_a_system(tmp_path):
     system = System(oscillator, [0.3, 0], PARAMETERS, speed="omega", units={"omega": "rad/s"}, title="Linear")
     result = system.sweep("omega", OMEGAS[2:4], **{**OPTIONS, "rtol": 1e-9})
-    check_sweep(result, OMEGAS[2:4], velocity=1)  # of the phase plane
+    check_sweep(result, OMEGAS[2:4], velocity=1)  # the section is in the phase plane
     assert result.title == "Linear" and result.parameters["omega"].unit == "rad/s"
     result.save(tmp_path / "linear.h5")
     again = whirl.open(tmp_path / "linear.h5")
@@ -76,7 +76,7 @@ def test_lanes_of_python_have_the_bits_of_one_machine():
         for lanes in (False, True)
     ]
     difference = sections[0]["poincare/section"] - sections[1]["poincare/section"]
-    assert np.abs(difference).max() < 1e-12  # NumPy's cosine of an array may round otherwise than that of a number
+    assert np.abs(difference).max() < 1e-12  # NumPy may round the cosine of an array differently
 
 
 @compiler
@@ -89,7 +89,7 @@ def test_compiled_functions_are_systems():
     many = System(lanes, [0.3, 0], PARAMETERS, lanes=True, **make).sweep("omega", OMEGAS, threads=1, **OPTIONS)
     check_sweep(each)
     check_sweep(many)
-    # A compiler may fuse products with sums in one of the two and not in the other.
+    # The compiler may fuse multiply-adds in one of the two functions only.
     assert np.abs(each["sweep"]["poincare/section"] - many["sweep"]["poincare/section"]).max() < 1e-11
 
 
@@ -103,7 +103,7 @@ def test_text_that_does_not_compile_is_refused():
         compile_c(C_ONE, "my rates")
 
 
-# What a function of C begins with, each time with one thing wrong.
+# Heads of C functions, each with one error.
 OTHER_FORMS = (
     "void rates(double t, const double *x, const double *p, double *dxdt, void *c)",
     "double rates(double t, const double *x, const double *p, double *dxdt, void *c)",
@@ -232,8 +232,8 @@ def test_wrong_slopes_are_refused(rates, words):
 @compiler
 @pytest.mark.parametrize("body", ("p[k] = x[k]", "x[k] = 0.1", "out[0] = x[1]"))
 def test_functions_that_write_elsewhere_are_refused(body):
-    """A type of ctypes does not contain the order of pointers: it follows from the effect of a function on its
-    arguments."""
+    """Tests functions of ctypes whose pointers are in another order. Their type does not show the order, so it is found
+    from the effect of the function on its arguments."""
     text = "int f(double t, double *x, double *p, double *out, void *c) { for (int k = 0; k < 2; k++) BODY; return 0; }"
     with pytest.raises(whirl.BadInput, match="another form"):
         compile_c(text.replace("BODY", body), "f")
@@ -284,7 +284,7 @@ def test_exponents_follow_a_derivative_or_differences():
 
 
 def test_the_rotor_of_a_case_is_a_system():
-    """The Jeffcott rotor without rub of the tests' case, written by hand: the motion is that of the case."""
+    """Tests that the equations of a Jeffcott rotor, written by hand, give the motion of the same case."""
     text = """
 whirl: 1
 parameters: {omega: 1.5 rad/s}
@@ -316,7 +316,7 @@ study:
     own = system.sweep("omega", case.values, **OPTIONS)["sweep"]
     section, expected = own["poincare/section"][:, 0, -1], case["poincare/section"][:, 0, -1]
     assert np.abs(section[:, :2] - expected[:, :2]).max() < 1e-8
-    # Velocities of a rotor are by the angle that it has turned, those of a system by its own time.
+    # Velocities of a rotor are derivatives by its angle, those of a system by time.
     assert np.abs(section[:, 2:] / case.values[:, None] - expected[:, 2:]).max() < 1e-8
     assert np.abs(own["orbit/max_radius"] - case["orbit/max_radius"]).max() < 1e-8
     assert list(own.verdicts) == list(case.verdicts)
@@ -430,7 +430,7 @@ def test_functions_may_keep_their_arguments():
 
 
 def test_a_single_row_keeps_its_dimension(tmp_path):
-    """One recorded revolution: the section of every point has one row, in memory, in files and in xarray."""
+    """Tests one recorded revolution: the section keeps a dimension of one row in memory, in files and in xarray."""
     system = System(oscillator, [0.3, 0], PARAMETERS, speed="omega", stations={"a": (0, 1), "b": (1, 0)})
     options = {**OPTIONS, "transient": 0, "record": 1, "analyze": "poincare", "progress": False}
     for vary, points in (({}, (1,)), ({"F": [0.1, 0.2]}, (2,)), ({"F": [0.1, 0.2], "omega": [1.0, 1.1, 1.2]}, (3, 2))):
@@ -451,11 +451,11 @@ def test_a_single_row_keeps_its_dimension(tmp_path):
         (tmp_path / "one.h5").unlink()
 
 
-# ---------------------------------------------------------------- journals know their equations again
+# ---------------------------------------------------------------- journals recognize their equations
 
 
 def stopped(system, journal):
-    """Stops a run, which leaves a journal."""
+    """Runs a system with a journal, and stops the run."""
 
     def stop(*reported):
         raise KeyError("enough")
@@ -487,7 +487,7 @@ def cubed(x):
 
 
 def test_python_journal_of_another_function(tmp_path, monkeypatch):
-    """A journal continues only with the same equations: text, closed-over values, and start."""
+    """Tests that a journal continues only with the same equations: text, closed-over values, and start."""
     journal = tmp_path / "journal"
     stopped(stiffer(1.0), journal)
     others = {
@@ -594,9 +594,9 @@ int rates(double t, const double *x, const double *p, double *dxdt, void *contex
 
 @compiler
 def test_kinked_jump():
-    """A mass bounces on a floor that shakes. Its section after a revolution is that of SciPy's DOP853 at 1e-12 with
-    flight and contact integrated apart. A floor with a damper makes the force jump: it is refused as a kink, with its
-    place."""
+    """Tests a mass that bounces on a shaking floor. Its section after a revolution is that of SciPy's DOP853 at 1e-12,
+    with flight and contact integrated separately. If the floor has a damper, the force jumps, and `kinked` fails with
+    the place of the jump."""
     slopes = compile_c(BOUNCE)
 
     def section(damper, **more):
@@ -614,7 +614,7 @@ def test_kinked_jump():
 
 
 def test_motions_that_could_not_be_followed_are_reported():
-    """Slopes that change at every call make every step fail: the motion has an error."""
+    """Tests slopes that change at every call, so that every step fails: the error is reported."""
 
     def system(rough):
         calls = iter(range(1, 10**9))

@@ -1,4 +1,4 @@
-"""Tolerances from Python: one call, sheets as pandas tables, any number on request, the samples themselves."""
+"""Tests tolerances from Python: the call, sheets as pandas tables, statistics of any number, and the samples."""
 
 import numpy as np
 import pytest
@@ -39,7 +39,7 @@ def test_samples(result):
     values = table["tolerances/values"]
     assert values.shape == (256 * 4 * 2, 2) and len(table.values) == 2048
     assert np.all((values[:, 0] > 0.5e-3) & (values[:, 0] < 1.5e-3) & (values[:, 1] > 1.9) & (values[:, 1] < 2.1))
-    # The amplitude of every machine is that of its own parameters.
+    # Every sample has the amplitude of its own parameters.
     e, k = values.T
     w = table.values
     assert np.allclose(table["unbalance/axes"][:, 0, 0] * 1e-3, e * w**2 / (k - w**2), rtol=1e-12)
@@ -49,7 +49,7 @@ def test_sheets_are_tables(result):
     sheets = result.sheets()
     assert {"probabilities", "spread-1", "indices", "convergence"} <= set(sheets)
     frame = sheets["spread-1"].to_pandas()
-    assert len(frame) == 3  # both speeds, and the worst of them
+    assert len(frame) == 3  # both speeds, and the worst of both
     indices = sheets["indices"].records(si=True)
     own = [one for one in indices if one["parameter"] == "e" and "probability" not in one["what"]]
     assert all(abs(one["total"] - 1.0) < 4 * one["total_error"] + 0.05 for one in own)
@@ -117,7 +117,7 @@ study:
 
 @pytest.mark.parametrize(("speed", "middle"), [(0.7, 0.0), (2.8, 180.0)])
 def test_quantiles_of_lags_are_cut_opposite_to_their_mean(speed, middle):
-    """Uniform angles: quantiles lie on a line, whichever side of 0 they are on."""
+    """Tests uniformly distributed angles: their quantiles are on a straight line, also if the range includes 0."""
     for low, high in ((-40, 40), (100, 260), (170, 190)):
         found, rows = spread_of_lags(speed, low, high)
         centre = (middle - 0.5 * (low + high) + 45.0) % 360.0 - 45.0
@@ -127,7 +127,7 @@ def test_quantiles_of_lags_are_cut_opposite_to_their_mean(speed, middle):
                 assert row[name] == pytest.approx(exact, abs=0.01 * (high - low)), (speed, low, share)
             assert row["mean"] == pytest.approx(centre, abs=0.005 * (high - low))
             assert row["deviation"] == pytest.approx((high - low) / 12**0.5, rel=0.01)
-        # The worst of all speeds has no meaning for an angle.
+        # The row of the worst of all speeds is empty, as it has no meaning for an angle.
         assert rows[2]["mean"] is None and rows[2]["q95"] is None
 
 
