@@ -10,10 +10,10 @@ void must(whirl_status status);
 /// The rotor of rotor.h from elements, in SI with omega = 1, c = 1 and m2 = 1. Freed by whirl_rotor_free.
 whirl_rotor *paper_rotor(double r_k);
 
-/// The same with its stations and the ends of its shaft in the other order.
+/// The rotor of paper_rotor with its stations and the ends of its shaft in the other order.
 whirl_rotor *paper_rotor_journal_first(double r_k);
 
-/// The same with one element more, which does nothing: a structure that has no loops of its own.
+/// The rotor of paper_rotor with one element more, which does nothing: a structure that has no loops of its own.
 whirl_rotor *paper_rotor_listed(double r_k);
 
 /// A shaft of `stations` equal discs, each joined to the next; the middle one is out of balance and may rub; both ends
@@ -27,7 +27,8 @@ whirl_rotor *films_rotor(const char *law, double length);
 /// The overhung rotor of overhung.h at a speed (rad/s): 20 finite elements, reduced. Freed by whirl_rotor_free.
 whirl_rotor *overhung_rotor(double speed);
 
-/// The same without films and rub; `station` (NULL: none) stands on a spring (N/m, the same along x and y).
+/// The rotor of overhung_rotor without films and rub; `station` (NULL: none) stands on a spring (N/m, the same along x
+/// and y).
 whirl_rotor *overhung_free_rotor(double speed, const char *station, double stiffness);
 
 #endif

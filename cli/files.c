@@ -14,7 +14,7 @@
 
 enum { HEAD_SIZE = 4096 };
 
-/// Returns true if a file begins like one of ROSS's Rotor.save, TOML or JSON.
+/// Returns true if a file begins like those that ROSS's Rotor.save writes, TOML or JSON.
 static bool is_rotor_of_ross(const char *head) {
     return strstr(head, "ross_version") || strstr(head, "\"ShaftElement");
 }

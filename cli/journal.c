@@ -55,7 +55,7 @@ static int find_finished(const journal_wish *wish, const char *path, const whirl
 
 // ---------------------------------------------------------------- points of a rank
 
-/// Returns true for points that a rank's journal has room for or takes from other journals. When it begins it reserves
+/// Returns true for points that a rank's journal has room for or takes from other journals. A new journal reserves
 /// space for an equal share of the points, whichever they will be. Later it takes carried points, which the rank may
 /// have to continue. The journal of the first rank is for all points.
 static bool is_for_rank(const run_journal *journal, size_t batch, size_t slot) {

@@ -1,4 +1,4 @@
-/// Bearings alone on stations of 1 kg (WHIRL_BEARINGS_OF_IT).
+/// The equilibrium of the bearings alone, on stations of 1 kg (WHIRL_BEARINGS_OF_IT).
 #ifndef ANALYZE_CRITICAL_SPEEDS_H
 #define ANALYZE_CRITICAL_SPEEDS_H
 

@@ -1,5 +1,5 @@
 // Modes of a machine about its equilibrium: frequencies, damping, whirl and shapes, and the critical speeds and
-// thresholds between the point before and this one.
+// thresholds between the previous point and this one.
 #include <math.h>
 #include <stdlib.h>
 

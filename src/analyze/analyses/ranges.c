@@ -16,7 +16,8 @@ static size_t one_where_any(const block_shape *shape) {
     return shape->range_count > 0;
 }
 
-/// Returns 1 at rest, 0 otherwise and where springs replace the bearings, since the equilibrium differs then.
+/// Returns the number of rows of the equilibrium's fields: 1 for machines at rest; 0 otherwise, and where springs
+/// replace the bearings, since the machine then has another equilibrium.
 static size_t one_at_rest(const block_shape *shape) {
     return shape->at_rest && !shape->options->bearings;
 }

@@ -1,5 +1,5 @@
 // Spectra, orbits and waveforms of run-ups. A spectrum is that of x + iy over the angle of the shaft, in the last turns
-// before its time, with a Hann window and without the mean: orders are lines whatever the speed does.
+// before its time, with a Hann window and without the mean: so orders remain lines however the speed changes.
 #include <math.h>
 #include <stdlib.h>
 

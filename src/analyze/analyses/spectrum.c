@@ -27,9 +27,9 @@ static void hann_window(size_t count, double *window) {
     }
 }
 
-/// Removes the mean and applies the window. The mean is weighted by the window: a plain mean over a broken number of
-/// periods of a line would leave an offset, which leaks into other lines. True if more than the rounding of the mean is
-/// left.
+/// Removes the mean and applies the window. The mean is weighted by the window: a plain mean over a fractional number
+/// of periods of a line would leave an offset, which leaks into other lines. True if more than the rounding of the mean
+/// is left.
 static bool window_samples(const double *samples, const double *window, size_t count, double *windowed) {
     double mean = 0.0, largest = 0.0, scale = 0.0;
     for (size_t j = 0; j < count; j++) mean += samples[j] * window[j];

@@ -216,8 +216,8 @@ static void stability_free(probing *p) {
     free(p->from.partner);
 }
 
-/// Returns the decrement, or that of a barely oscillating mode if it is NaN: no mode can grow since all are overdamped
-/// or backward.
+/// Returns the decrement or, if it is NaN, 10, that of a barely oscillating mode: no mode can grow since all are
+/// overdamped or backward.
 static double or_overdamped(double decrement) {
     return isnan(decrement) ? 10.0 : decrement;
 }

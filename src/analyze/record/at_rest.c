@@ -13,7 +13,7 @@
 /// Largest size of a motion at rest, over the state's size.
 static const double near_enough = 1e-5;
 
-/// Returns the size that a state counts as at least: below `near_enough` of it the steps do not resolve a motion, or it
+/// Returns the least size that a state counts with: a motion below `near_enough` of it is not resolved by the steps, or
 /// is rounding.
 static double least_scale(const whirl_integrate_options *integrate) {
     const double tolerances = 100.0, rounding = 1e-12;

@@ -99,8 +99,8 @@ struct orbit_searches {
     size_t used;               ///< lanes, at the front
 };
 
-/// Options for searches: methods with a tolerance use one at which Newton's method sees a smooth map, and the orbit is
-/// two digits more exact than the motion.
+/// Returns the options for searches: a method with a tolerance gets one so fine that Newton's method sees a smooth map,
+/// and that the orbit is two digits more exact than the motion.
 static whirl_integrate_options searches_exact(const whirl_integrate_options *integrate, double *tolerance) {
     whirl_integrate_options own = *integrate;
     const double finest = strcmp(own.method, "dop853") == 0 ? 1e-13 : 1e-11; // order 8 and 5

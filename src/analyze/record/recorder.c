@@ -27,12 +27,12 @@ typedef struct motion {
     size_t lane, copy_lane;
     perturbed_copy copy;
     settling *settling;      ///< NULL if every transient runs to its end
-    approach *approach;      ///< NULL if no orbit is searched before that
+    approach *approach;      ///< NULL if no orbit is searched before the end of the motion
     int first_recorded;      ///< revolution
     orbit_search *search;    ///< search that the motion waits for; or NULL
     double *x;               ///< [2 dimension] states of the motion and its perturbed copy
     double *perturbations;   ///< [perturbed][dimension]
-    whirl_perturbations set; ///< the same while an integrator carries them, else none
+    whirl_perturbations set; ///< `perturbations` while an integrator carries them, else none
     double *saved; ///< [2][numbers of a lane] to be restored into the lanes of the motion and its copy; or NULL
 } motion;
 
@@ -46,7 +46,7 @@ struct whirl_recorder {
     size_t dimension, lane_count;
     size_t carried;          ///< perturbations of a motion that the Jacobian carries
     int first_watched, last; ///< revolutions
-    size_t used;             ///< lanes
+    size_t used;             ///< lanes in use
     motion **owner;          ///< [lane_count] motion in every used lane
     bool *recorded;          ///< [lane_count] whether a lane is watched, set by revolve_lanes for one revolution
     size_t count, max_count; ///< motions under way
@@ -54,7 +54,7 @@ struct whirl_recorder {
     whirl_ensemble_observe watch;
     const whirl_probe *probes;
     size_t probe_count, sample_count;
-    double *samples; ///< [of a revolution][probes][2][lane_count]
+    double *samples; ///< [samples of a revolution][probes][2][lane_count]
 };
 
 /// Returns true if motions have a perturbed copy while they are watched.

@@ -45,7 +45,7 @@ static whirl_status look_at_bounded(const whirl_system *system, const whirl_inte
     return status;
 }
 
-/// Checks whether the exact equations leave the bounds in that revolution, too.
+/// Checks whether the exact equations leave the bounds, too, in the revolution in which the motion did.
 static whirl_status look_at_diverged(const whirl_system *system, const whirl_integrate_options *integrate,
                                      whirl_record *record) {
     const double leaving = 0.1 * integrate->limit; // slow growth may be a revolution late

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-/// Writes the displacements of all stations at an instant.
+/// Sets the displacement of a station along an axis at an instant.
 static void run_motion_set(whirl_run_motion *to, size_t instant, size_t probe, size_t axis, double x) {
     to->x[(2 * probe + axis) * to->count + instant] = x;
 }

@@ -1,5 +1,5 @@
 // A run turn by turn: the first turn from standstill by time, from then on by the angle; machines whose torques depend
-// on time, or whose stations twist, by time throughout. Events are landed on.
+// on time, or whose stations twist, by time throughout. The run stops at the exact instants of events.
 #include "run_motion.h"
 #include "runup_state.h"
 #include "two_pi.h"
@@ -168,7 +168,7 @@ static void runup_see_radii(runner *r, double from, double step, size_t count) {
     for (size_t p = 0; p < r->probes; p++)
         for (size_t k = 1; k <= count; k++) {
             runup_peak *peak = &r->run->peaks[p];
-            // A radius that is certainly not the largest of the turn needs no root.
+            // A radius that is certainly not the largest of the turn needs no square root.
             const double known = fmin(r->stations[p].radius, peak->radius);
             if (runup_radius_square(r, runup_sample(r, k), p) < (1.0 - 1e-12) * known * known) continue;
             const double radius = runup_radius_of(r, runup_sample(r, k), p);
@@ -220,7 +220,7 @@ static void runup_see_contacts(runner *r, double from, double step, size_t count
     }
 }
 
-/// Weights of the integral over equal steps, of the order 6 at both ends (Gregory).
+/// Returns the weight of sample k in an integral over equal steps, of the order 6 at both ends (Gregory).
 static double runup_weight(size_t k, size_t count) {
     static const double ends[] = {95.0 / 288.0, 317.0 / 240.0, 23.0 / 30.0, 793.0 / 720.0, 157.0 / 160.0};
     const size_t from_end = k < count - k ? k : count - k;
@@ -264,7 +264,7 @@ static void runup_place_copy(runner *r, double factor) {
     r->copy[r->rotor + 1] = r->x[r->rotor + 1];
 }
 
-/// Carries the copy over a part of a turn that the run has behind it.
+/// Carries the copy over a part of a turn that the run has completed.
 static void runup_carry_copy(runner *r, double from, double length) {
     if (r->copy && runup_carry_part(r, from, length, r->copy) != WHIRL_BOUNDED) r->copy = NULL;
 }

@@ -40,7 +40,7 @@ typedef struct runup_turn {
     whirl_torques torques;         ///< at its end
     const runup_station *stations; ///< [probe_count]
     const double *force;           ///< [contact_count] N, largest normal force
-    const double *share;           ///< [contact_count] of the turn in contact
+    const double *share;           ///< [contact_count] share of the turn in contact
     const double *samples; ///< samples as in turn_samples; NULL if the run ends within the turn, or the plan has none
 } runup_turn;
 

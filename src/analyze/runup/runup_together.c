@@ -27,8 +27,8 @@ typedef struct runup_lanes {
 /// A run among those that are carried together.
 typedef struct runup_member {
     runner r;
-    bool over, waits;             ///< it has ended; lanes are to carry its next part
-    const whirl_system *in_lanes; ///< its machine in lanes; NULL: lanes do not take it
+    bool over, waits;             ///< the run has ended; its next part is to be carried in lanes
+    const whirl_system *in_lanes; ///< its machine in lanes; NULL: it cannot be carried in lanes
     runup_lanes *in;              ///< NULL: none
     size_t lane;
     unsigned known, loaded, copy_loaded; ///< 1 + settings of the run when `in_lanes` was found, and when lanes were

@@ -34,9 +34,10 @@ static double mean_square_return(const section *points, size_t q, size_t first, 
     return sum / weights;
 }
 
-/// Returns true if returns after q revolutions are more even than a lock allows, by `turns` of psi over all points.
-/// Three windows of half of the returns have their centres a quarter of them apart: speeds differ by (x/4)^2/4 there,
-/// and squares by twice that.
+/// Returns true if returns after q revolutions vary less than a lock allows. `turns`: turns of psi over all points.
+/// Three windows, each of half of the returns, have centres that are a quarter of the returns apart. If psi moves by x
+/// in a lock over all returns, the speeds of the windows differ by (x/4)^2/4, and the squares of the speeds by twice
+/// that.
 static bool goes_evenly(const section *points, size_t q, double turns) {
     const double margin = 5.0;
     const size_t returns = points->count - q, half = returns / 2;

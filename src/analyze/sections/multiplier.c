@@ -1,6 +1,6 @@
-// The largest Floquet multiplier of a periodic motion, from how the section settles: near it, d(n) = z(n + k) - z(n)
-// obeys d(n + k) = mu d(n) for a real multiplier, and d(n + 2k) = a d(n + k) - b d(n) for a pair with the sum a and the
-// product b.
+// The largest Floquet multiplier of a periodic motion, from how the section settles: close to the orbit, d(n) = z(n +
+// k) - z(n) obeys d(n + k) = mu d(n) for a real multiplier, and d(n + 2k) = a d(n + k) - b d(n) for a pair with the sum
+// a and the product b.
 #include <math.h>
 #include <stdbool.h>
 

@@ -137,8 +137,9 @@ static double median_of(double *values, size_t count) {
     return values[count / 2];
 }
 
-/// Returns true if points lie where their two neighbours on the curve, `sorted` by place, predict them: ever closer as
-/// points fill a curve, but not on a torus of more frequencies or in a band, however thin. Overwrites `across`.
+/// Returns true if points lie where their two neighbours on the curve predict them (`sorted` has the points in order of
+/// place). The prediction gets better as points fill a curve, but not on a torus of more frequencies or in a band,
+/// however thin. Overwrites `across`.
 static bool is_smooth(cloud *c, double number, double reach) {
     const double least = 0.02, by_bend = 0.6; // of the distance of the neighbours; a curve of some bends has reach/8
     const size_t d = c->dimension;

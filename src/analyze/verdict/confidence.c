@@ -19,7 +19,8 @@ static const double settled = 1e-6;
 /// exponent casts doubt on a motion of steady lines.
 static const double clear_sigmas = 6.0, steady_sigmas = 4.0, line_sigmas = 3.0;
 
-/// Decimal digits to which averages agree on clear tori and in clear chaos; K of the 0-1 test.
+/// Decimal digits to which averages agree on clear tori and in clear chaos; K of the 0-1 test for regular motion and
+/// for chaos, and the value between.
 static const double regular_digits = 4.0, irregular_digits = 3.0, regular_walk = 0.2, random_walk = 0.8, middle = 0.5;
 
 /// Revolutions that establish chaos, and the exponent that excludes a slow departure from another motion.
@@ -99,7 +100,7 @@ static whirl_confidence weigh_rest(const whirl_verdict *v, const evidence *e) {
     return draws_in && dies_out ? WHIRL_HIGH : WHIRL_FAIR;
 }
 
-/// Returns true if the motion may be settling on a locked one.
+/// Returns true if the motion may be settling on a locked motion.
 static bool slows_down(const whirl_verdict *v) {
     const double steady_trend = 0.95;
     return v->exponent.value < -v->exponent.error || v->recurrence_trend < steady_trend;
@@ -251,7 +252,7 @@ static whirl_confidence joint_confidence(const whirl_verdict *a, const whirl_ver
     return a->curves == b->curves ? both : confidence_lesser(both, WHIRL_FAIR);
 }
 
-/// Returns true if no attractor is known on which chaos may end, and copies of it stayed chaotic for long.
+/// Returns true if no attractor is known on which the chaos may end, and if its copies stayed chaotic for long.
 static bool lives_long(const whirl_verdict *v) {
     if (v->regime != WHIRL_CHAOTIC) return true;
     return v->sought && v->coexisting == 0 && v->survived > 0.0 && v->ended == 0;

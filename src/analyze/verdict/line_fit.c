@@ -92,8 +92,8 @@ static bool plan_make(const whirl_spectrum *spectrum, const line_bases *bases, f
     return there[0] && there[1];
 }
 
-/// Writes the functions of all unknowns at a time t, in revolutions from the middle; t/half scales the parts, of which
-/// those with t have a factor i: at -t all functions are the conjugates of these.
+/// Writes the functions of all unknowns at a time t, in revolutions from the middle. The parts use t/half. Those with t
+/// have a factor i, so that all functions at -t are the conjugates of those at t.
 static void plan_functions(const fit_plan *plan, const line_bases *bases, double t, double half, double complex *at) {
     const double scaled = t / half;
     at[0] = 1.0;

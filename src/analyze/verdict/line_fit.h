@@ -22,7 +22,7 @@ typedef struct line_combination {
 } line_combination;
 
 /// Finds the combination whose order is nearest to an order, within a fifth of a bin of the width `resolution`. One
-/// frequency has multiples up to the eighth; of two the multiples have moduli whose sum is at most 4.
+/// frequency has multiples up to the eighth; with two frequencies the moduli of both multiples sum to at most 4.
 line_combination line_combination_of(const line_bases *bases, double order, double resolution);
 
 /// Lines of a record, and what they leave unexplained.

@@ -97,8 +97,8 @@ static bool grows_to_the_end(const evidence *e) {
     return late.value + late.error > 0.0;
 }
 
-/// Returns true if the motion may grow away from a nearby one, by a factor that a start can explain, while it is as
-/// regular as regular motions are.
+/// Returns true if the motion may be growing away from a nearby motion: the growth over the record is small enough to
+/// have begun at the start, and the motion is as regular as regular motions.
 static bool may_be_leaving(const evidence *e) {
     const double most_folds = 10.0;
     return e->exponent.value * (double)e->points.count < most_folds &&

@@ -178,7 +178,7 @@ static void trend_text(double trend, char *text, size_t size) {
                  change_in_hundred(trend));
 }
 
-/// Writes the main line of a motion off whole orders and the second one, and how they change.
+/// Describes the main line and the second line of a motion, both off whole orders, and how they change.
 static void line_text(const whirl_verdict *v, char *text, size_t size) {
     char trend[96], other[96];
     trend_text(v->line_trend, trend, sizeof trend);
@@ -190,7 +190,7 @@ static void line_text(const whirl_verdict *v, char *text, size_t size) {
 }
 
 static void quasi_periodic_reason(const whirl_verdict *v, const char *exponent, char *text, size_t size) {
-    // A main line of the spectrum that stays is the evidence by itself.
+    // A main line that keeps its place and size is evidence by itself.
     char what[200], line[320], frequencies[96];
     if (v->line > 0.0) {
         line_text(v, line, sizeof line);

@@ -23,8 +23,8 @@ typedef struct derived {
     size_t count;                               ///< number of numbers
     whirl_spread_at numbers[WHIRL_MAX_DERIVED]; ///< their places in blocks
     double *parameters, *found, *slopes;        ///< the fields in the block
-    const double
-        *reaches; ///< [parameters] least first distances from the values, above 0 for parameters that are 0; or NULL
+    /// [parameters] Least first distances from the values, above 0 for parameters that are 0; or NULL.
+    const double *reaches;
 } derived;
 
 /// Begins the derivatives of a point, all missing; false if the layout has no fields for them.
@@ -90,7 +90,8 @@ static bool derived_is_missing(const whirl_status *status) {
     return status->code == WHIRL_BAD_INPUT || status->code == WHIRL_NUMERICAL_FAILURE;
 }
 
-/// Computes numbers [count] at a distance h from the value of a parameter. Failures of one machine count as below.
+/// Computes numbers [count] at a distance h from the value of a parameter. A failure of one machine
+/// (derived_is_missing) leaves the derivative missing.
 typedef whirl_status derived_fn(const void *of, double h, double *numbers);
 
 /// Derives numbers [count] by levels of distances from `reach` on, until all errors are below 1e-10 of the slope; a

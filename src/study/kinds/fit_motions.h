@@ -42,7 +42,7 @@ void fit_motions_free(fit_motions *m);
 whirl_status fit_motions_copy(const fit_motions *from, fit_motions *to);
 
 /// Evaluates residuals [numbers], model less measured over noise, and their derivatives [numbers][unknowns], as
-/// least_squares_solve asks; false if a motion has no orbit near the one kept.
+/// least_squares_solve requires; false if a motion has no orbit near the one kept.
 bool fit_motions_evaluate(void *motions, const double *values, double *residuals, double *derivatives);
 
 /// Keeps the orbits of the last evaluation.

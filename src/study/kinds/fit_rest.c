@@ -114,8 +114,8 @@ static whirl_status rest_threshold(const fit_place *p, const whirl_fit_number *n
 
 // ---------------------------------------------------------------- modes
 
-/// Chooses the mode: the one whose eigenvalue is nearest to the predicted one or, at first, the asked one; SIZE_MAX if
-/// there is none.
+/// Chooses the mode: the one whose eigenvalue is nearest to the predicted one or, at first, the requested one; SIZE_MAX
+/// if there is none.
 static size_t rest_choose(const fit_place *p, const whirl_fit_number *number, const fit_orbit *kept,
                           const resting_machine *own) {
     size_t best = SIZE_MAX, count = 0;

@@ -32,7 +32,7 @@ extern const study_kind rest_kind, branch_kind, torus_kind, fit_kind;
 typedef struct resting_machine {
     whirl_machine machine;
     whirl_modes *modes;
-    size_t *before; ///< [modes->count] the mode's number (from 1) at the point before, 0: none; NULL: unknown
+    size_t *before; ///< [modes->count] number (from 1) of the mode at the previous point, 0: none; NULL: unknown
     double value;
 } resting_machine;
 

@@ -321,7 +321,7 @@ typedef struct run_point {
     double *rest, *elsewhere; ///< as in whirl_resting
 } run_point;
 
-/// Run-ups that are computed together, with what their analyses take.
+/// Run-ups that are computed together, with the input of their analyses.
 typedef struct run_points {
     size_t count;
     run_point points[RUNS_TOGETHER];
@@ -345,7 +345,7 @@ static bool runs_go_together(const worker *w) {
            !whirl_layout_field(&w->table->layout, WHIRL_FIELD_RUNUP_TORQUE_OF);
 }
 
-/// Fills in what the analyses of a run-up take, with another equilibrium if one is looked for and found.
+/// Fills in the input of the analyses of a run-up, with another equilibrium if one is looked for and found.
 static whirl_status run_point_describe(worker *w, run_point *p, whirl_resting *point) {
     const whirl_machine *machine = &p->own.machine;
     const size_t bytes = machine->system->dimension * sizeof *p->rest;

@@ -22,7 +22,7 @@ typedef struct rows {
 } rows;
 
 /// Opens the rows of a pass and recalls those in the journal. Errors as those of the machine. Closed by rows_close,
-/// after a failure too, which shrinks the table to its rows.
+/// after a failure too; rows_close shrinks the table to its rows.
 whirl_status rows_open(rows *r, study_run *run, const pass *p);
 void rows_close(rows *r);
 

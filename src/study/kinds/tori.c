@@ -28,7 +28,7 @@ typedef struct leg {
     whirl_torus_branch *found;
     whirl_torus_view **views; ///< [found->count]
     double end;               ///< reason if nothing was found
-    bool stopped;             ///< it was stopped on the way: what was found is discarded
+    bool stopped;             ///< the leg was stopped on the way: what was found is discarded
     first_error error;
 } leg;
 

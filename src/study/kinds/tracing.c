@@ -18,7 +18,7 @@ typedef struct leg {
     double value;
     int direction;
     whirl_branch *branch; ///< the branch that was found
-    first_error error;    ///< the reason if none was
+    first_error error;    ///< why no branch was found
 } leg;
 
 enum { MAX_LEGS = 2 };
@@ -100,8 +100,8 @@ static bool is_known(const rows *r, const whirl_orbit *orbit, double value, cons
     return known;
 }
 
-/// Returns true if a row's branch, which ended at a doubling, ended at this one: within its last step, and the middle
-/// of its last orbit leads to that orbit.
+/// Returns true if a row's branch, which ended at a doubling, ended at this doubling: it is within the last step, and
+/// the middle of the last orbit leads to that orbit.
 static bool ended_there(const rows *r, size_t row, const whirl_branch_point *doubling, double *x) {
     const size_t k = doubling->orbit->revolutions, d = doubling->orbit->dimension;
     const double *nodes = rows_nodes(r, row), *later = nodes + k * (size_t)r->batch->record.trace.segments * d;

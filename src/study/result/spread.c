@@ -209,7 +209,7 @@ static void spread_estimate(const drawn *of, whirl_spread *s) {
     const double origin = middle_of(of);
     const replicates r = sum_up(of, origin);
     const estimates whole = estimate(&r.all, origin, parameters);
-    // Estimate without each of them.
+    // Estimate without each replicate.
     estimates without[WHIRL_REPLICATES];
     for (size_t i = 0; i < WHIRL_REPLICATES; i++) {
         sums rest = {.count = 0.0};

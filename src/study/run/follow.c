@@ -95,7 +95,7 @@ whirl_status follow_points(study_run *run, int round, double *budget, size_t *do
         pass_count += count > 0 ? FOLLOW_COPIES : 0;
     }
     revolutions -= *budget;
-    // Run them.
+    // Run these passes.
     whirl_status status = whirl_ok();
     if (used > 0) {
         tracker_follow(&run->tracker, round, used * FOLLOW_COPIES, revolutions);

@@ -36,7 +36,7 @@
 /// A point under way, and the number of points that follow it, each from the end of the one before.
 typedef struct point {
     size_t slot;           ///< slot of the batch's table
-    bool reverse;          ///< the next one has the slot before
+    bool reverse;          ///< the next point has the previous slot
     size_t left;           ///< points from this one on
     double begun;          ///< time at which it began (clock_seconds)
     whirl_machine machine; ///< its machine
@@ -480,7 +480,7 @@ static whirl_status worker_compute(pass_work *work, size_t number) {
     return w.status.code != WHIRL_OK ? w.status : status;
 }
 
-/// Sorts passes with long points first, so that no thread ends with one alone.
+/// Sorts passes with long points first, so that no thread ends with one long point alone.
 static void sort_long_first(pass_work *all, size_t count) {
     for (size_t i = 1; i < count; i++) {
         const pass_work moved = all[i];
