@@ -12,7 +12,7 @@ static text answer;
 /// Writes a table in the form of MeasuredTable of protocol.ts.
 static void measured_write(text *t, const whirl_measured_table *measured) {
     const whirl_fit *fit = &measured->fit;
-    // The rows of vectors are over one parameter, given[0], as the table is read without values of other parameters.
+    // One parameter, given[0], varies from row to row of vectors, as the table is read without values of others.
     const whirl_fit_motion *first = fit->motion_count > 0 ? &fit->motions[0] : NULL;
     text_add(t, "{");
     json_name(t, "title");

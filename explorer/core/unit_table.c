@@ -125,7 +125,7 @@ static void add_name(const ut_system *system, const char *name) {
     unit_table_add(&names, text, ut_get_unit_by_name(system, text));
 }
 
-/// Adds a name; one of two words also with an underscore.
+/// Adds a name; a name of several words also with underscores instead of spaces, in place.
 static void add_names(const ut_system *system, char *name) {
     add_name(system, name);
     for (char *c = name; *c; c++)

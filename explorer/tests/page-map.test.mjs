@@ -80,7 +80,7 @@ const cellTexts = async (page) => ({
   rest: await page.textContent('.map-rest'),
 });
 
-test('what is told of cells is what the result holds of them', { timeout: 300_000 }, async () => {
+test('cells show the numbers of the result', { timeout: 300_000 }, async () => {
   assert.ok(new Set(points.map(({ verdict }) => verdict)).size > 3);
   const { page, complaints, close } = await opened();
   const table = await csvOf(page, CARD);

@@ -284,7 +284,7 @@ typedef struct kept_part {
     size_t first_row, rows, columns;
 } kept_part;
 
-/// Returns true for the most used fields, which large maps have.
+/// Returns true for the most used fields, the only ones besides sections that the page of a large map has.
 static bool is_looked_at_most(const whirl_field *field) {
     static const char *const names[] = {WHIRL_FIELD_REGIME_CODE,       WHIRL_FIELD_REGIME_PERIOD,
                                         WHIRL_FIELD_REGIME_CONFIDENCE, WHIRL_FIELD_LYAPUNOV_LARGEST,

@@ -7,8 +7,8 @@
 #include "mode_lines.h"
 #include "whirl/engine/result.h"
 
-/// Returns the parameters of a point: those that the case gives as numbers, a varied one with the value at the point.
-/// Parameters given by expressions are left out, since their stored value is that of the case, not of the point.
+/// Returns the parameters that the case gives as numbers; a varied parameter has its value at the point. Parameters
+/// given by expressions are left out: the result stores their values for the case, which may differ at the point.
 json_t *point_parameters(bool *well, const whirl_result *result, const whirl_table *table, size_t point);
 
 /// Returns all data of a point. found: attractors of places with several starts (labels NULL: one start). lines: names

@@ -237,10 +237,10 @@ class Result:
 
     @property
     def elsewhere(self) -> list[str]:
-        """Tables of machines at rest that have points with a second place of rest, to which the place of rest of the
-        value before or after leads. The field "ranges/elsewhere" of a table has the distance of each station between
-        both places, "ranges/elsewhere_growth" the largest real part of the eigenvalues at the second one, 1/s: stable
-        below 0."""
+        """A text for each table of a machine at rest in which points have a second place of rest. It was found from the
+        place of rest at the value before or after. The field "ranges/elsewhere" of a table has the distance of each
+        station between both places, "ranges/elsewhere_growth" the largest real part of the eigenvalues at the second
+        place, 1/s: stable below 0."""
         lines = []
         for name, apart in self._rows_of(FIELD.RANGES_ELSEWHERE):
             found = np.isfinite(apart).any(axis=tuple(range(1, apart.ndim)))
@@ -273,7 +273,7 @@ class Result:
         """Tables of points by name, such as "sweep", "map", "branch". Tables as documents show them are
         :meth:`sheets`."""
         tables = {name: Table(self._about, table) for name, table in self._source.tables().items()}
-        return ReadOnly(tables, "tables are those of the result")
+        return ReadOnly(tables, "the tables of a result cannot be replaced")
 
     @property
     def case(self) -> Case:

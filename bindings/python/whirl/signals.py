@@ -110,7 +110,7 @@ class Envelopes(NamedTuple):
 
     @property
     def lag(self) -> np.ndarray:
-        """[channels][orders][count] degrees by which a peak of the order lags behind its phase 0, 0 to 360."""
+        """[channels][orders][count] 0 to 360 degrees by which a peak of the order lags behind phase 0 of the order."""
         return _lag(self.vectors)
 
 

@@ -53,8 +53,8 @@ class Field:
         return tuple(name for name, there in sizes if there)
 
     def _shaped(self, numbers: np.ndarray, points: int) -> np.ndarray:
-        """Returns numbers in the shape of files: with a dimension of rows if the field has rows, also if there is
-        one."""
+        """Returns numbers in the shape of files: with a dimension of rows if the field has rows, even if there is
+        only one row."""
         if not self.has_rows or self.rows != 1 or self.singles:
             return numbers
         before = points + (self.extent != "point")
@@ -93,7 +93,7 @@ class Table(Mapping):
     def fields(self) -> dict[str, Field]:
         """The fields by their names, in the order of the file."""
         fields = {about["name"]: Field(**about) for about in self._source.fields()}
-        return ReadOnly(fields, "fields are those of the result")
+        return ReadOnly(fields, "the fields of a table cannot be replaced")
 
     @cached_property
     def values(self) -> np.ndarray:

@@ -126,7 +126,7 @@ function readParts(run: Run, parts: NonNullable<StoredContents['parts']>): reado
     const of = <T extends { readonly table: string }>(list: readonly T[]) =>
       list.filter(({ table }) => names.includes(table));
     const fit = view === 'fit' ? run.fits?.find(({ table }) => table === id) : undefined;
-    // A fit's machine is another one: no stored table or motion is of it.
+    // The fitted machine differs from that of the case, to which stored tables and motions belong: leave them out.
     const { opening, ...rest } = run;
     const tables: StoredTable[] = view && !fit ? run.tables.filter(({ name }) => names.includes(name)) : [];
     return {

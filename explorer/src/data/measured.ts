@@ -66,7 +66,7 @@ export class MeasuredData {
     return this.table.title;
   }
 
-  /// The parameter that the rows of vectors are over; "" for the speed.
+  /// The parameter that varies from row to row of vectors; "" if the speed varies.
   get parameter(): string {
     return this.table.parameter;
   }

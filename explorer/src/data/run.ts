@@ -24,7 +24,8 @@ export interface StoredMap {
   readonly y: string;
   /// Cell of every point; absent if it equals the point's number.
   readonly cells?: readonly number[];
-  /// For a refined map: number of cells along both axes, from its own on, that each point represents.
+  /// For a refined map: each point represents a square of cells, which begins at its own cell; number of cells along a
+  /// side of the square.
   readonly widths?: readonly number[];
 }
 

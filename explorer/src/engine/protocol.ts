@@ -352,7 +352,7 @@ export interface Edit {
 export interface MeasuredTable {
   /// First comment of the table, or "".
   readonly title: string;
-  /// The parameter that the rows of vectors are over; "" for vectors over the speed, and for samples of one motion.
+  /// The parameter that varies from row to row of vectors; "" if the speed varies, and for samples of one motion.
   readonly parameter: string;
   /// For vectors the parameter's value or the speed of every row, in SI; for samples one motion, whose value is null
   /// if its speed is not known.

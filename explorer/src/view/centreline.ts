@@ -119,8 +119,8 @@ export class CentrelinePanel extends Panel {
     diagram.values.forEach((_, point) => {
       const [mx, my] = [x.data[point]!, y.data[point]!];
       if (!diagram.done[point] || !Number.isFinite(mx)) return;
-      // In units of length, place a point by its true displacement; in length scales, by the displacement over the
-      // scale of its own machine.
+      // Axes in units of length show the displacement. Axes in length scales show it over the length scale of the
+      // point's machine.
       const size = units.length === 'scale' ? 1 : diagram.lengthScales[point]! / scales.length;
       const [px, py] = place(mx * size, my * size);
       pen.fillStyle = colours.classes[diagram.classes[point]!]!;

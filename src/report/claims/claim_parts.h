@@ -1,5 +1,5 @@
-// Comparison of claims with results. A claim states some of several parts (regime, contact, lines, ...), each of which
-// is compared by itself.
+// Comparison of claims with results. A claim states one or more parts (regime, contact, lines, ...); each part is
+// compared separately.
 #ifndef REPORT_CLAIM_PARTS_H
 #define REPORT_CLAIM_PARTS_H
 

@@ -31,7 +31,7 @@ void asked_stability_text(const asked_stability *at, char text[ASKED_TEXT]);
 
 /// Stability at all points of a table.
 typedef struct asked_stability_tally {
-    size_t points, without; ///< number of computed points, and of those without a mode that is not backward
+    size_t points, without; ///< number of computed points, and of those whose modes are all backward
     size_t screened, dense; ///< points in the screening diagram, and in its region B
     asked_stability
         least; ///< point with the least decrement with seals and impellers; its decrement is NaN if no point has one

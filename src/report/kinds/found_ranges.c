@@ -1,4 +1,5 @@
-// Statements on points beyond the range of a law, and on peculiar places of rest.
+// Statements on points beyond the range of a law, on equilibria that were not found or are not the only ones, and on
+// contacts that are closed at rest.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

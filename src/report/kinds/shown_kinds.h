@@ -41,8 +41,8 @@ void find_train(const finder *of, const whirl_model *model);
 /// Adds a statement on motions without any number, for tables without verdicts.
 void find_lost(const finder *of);
 
-/// Adds statements on points beyond the range of a law, on places of rest that were not found or are not the only ones,
-/// and on contacts that are closed at rest.
+/// Adds statements on points beyond the range of a law, on equilibria that were not found or are not the only ones, and
+/// on contacts that are closed at rest.
 void find_ranges(const finder *of);
 
 /// Adds the findings on spectral lines of motions along a parameter, below and above the synchronous one.

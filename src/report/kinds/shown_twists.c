@@ -373,7 +373,7 @@ static void twists_find_worst(const finder *of, bool running) {
         }
     }
     if (!twists_largest(of, WHIRL_FIELD_TORSION_TORQUE_SUM, 0, path, running, &point)) return;
-    // State its sum, its name and where it is.
+    // State the largest torque, where it acts, and the point.
     const double steady = twists_numbers(of, point, WHIRL_FIELD_TORSION_STEADY, 0)[path];
     const double sum = twists_numbers(of, point, WHIRL_FIELD_TORSION_TORQUE_SUM, 0)[path];
     whirl_phrase *found =

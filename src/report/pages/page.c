@@ -161,7 +161,7 @@ static void page_parts(const page *to, size_t result) {
 
 static void write_result(const page *to, size_t result) {
     fprintf(to->stream, "<section id=\"result-%zu\">\n<h2>", result + 1);
-    // Write the heading; on a page of one result, the title of the result is that of the page.
+    // Write the heading. The title of an only result is the title of the page, so its heading is another one.
     const char *title = *to->results[result]->title ? to->results[result]->title : to->names[result];
     html_text(to->stream, to->count == 1 && !to->claims ? "What was found" : title);
     fputs(" <span class=\"soft small\">", to->stream);

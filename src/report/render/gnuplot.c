@@ -114,7 +114,7 @@ static pid_t gnuplot_start(const launch *how, const gnuplot_job *job) {
     return child;
 }
 
-/// Running children, each with the index of its job.
+/// Running child processes, each with the index of its job.
 typedef struct crew {
     size_t count;
     pid_t child[MAX_PROCESSES];
