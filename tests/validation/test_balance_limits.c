@@ -192,7 +192,7 @@ static void within_limits(void **state) {
     }
     check_within(id, "12 rotors: weights beyond their limits", 0.0, fmax(beyond, 0.0), 1e-12);
     check_holds(id, words("%zu weights are at their limits", at_limit), at_limit > 3);
-    check_within(id, "12 rotors: what is told to be left", 0.0, unlike, 1e-12);
+    check_within(id, "12 rotors: reported remaining vibration", 0.0, unlike, 1e-12);
     check_within(id, "12 rotors: what the best of 14000 weights nearby gains", 0.0, gain, 1e-9);
 }
 

@@ -311,7 +311,7 @@ static void expect_one_from_any_revolution(const test_family *family, const whir
     assert_true(whirl_orbit_distance(&system, copy, orbit->nodes) == 0.0);
     const double size = fmax(fabs(later.start[0]), fabs(later.start[1]));
     again->nodes[0] += 1e-4;
-    check_within("branches", "a state beside an orbit", 1e-4 / size, whirl_orbit_distance(&system, orbit, again->nodes),
+    check_within("branches", "a state near an orbit", 1e-4 / size, whirl_orbit_distance(&system, orbit, again->nodes),
                  1e-9);
     whirl_orbit_free(again);
     whirl_orbit_free(copy);
@@ -506,7 +506,7 @@ static void doublings_at_a_graze(void **state) {
         add_stop(&family, stiffnesses[i], far);
         const whirl_branch_point beside = first_doubling(&family, &branch);
         const double place = far + beside.orbit->touches[0].nearest;
-        check_within("branches", words("doubling, stop of %g beside the orbit: at F =", stiffnesses[i]), alone.value,
+        check_within("branches", words("doubling, stop of %g next to the orbit: at F =", stiffnesses[i]), alone.value,
                      beside.value, 1e-10);
         check_within("branches", "its criticality", alone.criticality, beside.criticality,
                      1e-6 * fabs(alone.criticality));

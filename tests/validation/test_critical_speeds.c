@@ -157,7 +157,8 @@ static void as_modes_meet_the_speed(void **unused) {
         for (size_t i = 0; i < field->rows; i++, row += field->columns) {
             if (row[0] != WHIRL_CRITICAL_SPEED) continue;
             assert_true(found < count);
-            check_within("CS", words("5.9.3: critical speed %zu beside the search along the speed, rad/s", found + 1),
+            check_within("CS",
+                         words("5.9.3: critical speed %zu, expected by the search along the speed, rad/s", found + 1),
                          row[2], speeds[found], 1e-8 * row[2]);
             found++;
         }
@@ -276,8 +277,8 @@ static void free_shafts(void **unused) {
     assert_true(speeds_of(result, 0, 1, speeds) > 0 && speeds_of(result, 1, 1, held) > 0);
     for (size_t i = 0; held[i] < 1.0; i++) // those of the soft bearings
         memmove(held + i, held + i + 1, (MAX_SPEEDS - i - 1) * sizeof *held), i--;
-    check_within("CS", "5.9.1 without bearings beside very soft ones: lowest forward critical speed, rad/s", held[0],
-                 speeds[0], 1e-6 * held[0]);
+    check_within("CS", "5.9.1 without bearings, expected by very soft ones: lowest forward critical speed, rad/s",
+                 held[0], speeds[0], 1e-6 * held[0]);
     whirl_result_free(result);
     whirl_case_free(object);
 }

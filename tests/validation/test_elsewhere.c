@@ -55,7 +55,7 @@ static void two_wells(void **state) {
         const double rest = table_number(table, i, WHIRL_FIELD_MODES_REST, 0);
         wells(1e3, 1e9, 2.0 * pulls[i], root);
         if (i != 1 && i != 4) {
-            check_holds("Rests elsewhere", words("%g m/s2: none beside the neighbours'", pulls[i]), isnan(apart));
+            check_holds("Rests elsewhere", words("%g m/s2: no place except the neighbours'", pulls[i]), isnan(apart));
             continue;
         }
         const double other = root[pulls[i] > 0.0 ? 2 : 0];

@@ -99,7 +99,7 @@ static void test_magnetic(void **state) {
         worst = fmax(worst, hypot(modes->modes[i].real - same->modes[i].real,
                                   modes->modes[i].imaginary - same->modes[i].imaginary) /
                                 hypot(same->modes[i].real, same->modes[i].imaginary));
-    check_within("Import", "closed loops of magnets beside linear ones by hand: largest relative difference", 0.0,
+    check_within("Import", "closed loops of magnets against linear ones by hand: largest relative difference", 0.0,
                  worst, 1e-9);
     whirl_modes_free(modes);
     whirl_modes_free(same);

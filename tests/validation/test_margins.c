@@ -100,7 +100,7 @@ static void few_points(void **unused) {
         widest = fmax(widest, peaks[0].points);
     }
     check_within("B13", "8 points in the width: largest relative error of the amplification", 0.0, worst, 0.01);
-    check_within("B13", "8 points in the width: points told", 8.0, widest, 0.1);
+    check_within("B13", "8 points in the width: points reported", 8.0, widest, 0.1);
 }
 
 /// The largest amplitude between two speeds that lie between points is found at the lower or upper end, or at the top

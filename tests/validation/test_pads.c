@@ -288,7 +288,7 @@ static void turbulent(void **unused) {
     bearing.turbulence = WHIRL_LAMINAR;
     whirl_pads_state laminar;
     require_ok(whirl_pads_at(&bearing, (const double[]){x, y}, &laminar));
-    check_within("pads-turbulent", "Re 0 beside a laminar film: force", laminar.force[0], state.force[0], 1e-12);
+    check_within("pads-turbulent", "Re 0, expected by a laminar film: force", laminar.force[0], state.force[0], 1e-12);
     // Concentric, the shear is that of Couette's flow alone.
     bearing.turbulence = WHIRL_NG_PAN;
     bearing.reynolds = 10000.0;
@@ -372,9 +372,9 @@ static void pivots(void **unused) {
     bearing.pivot_stiffness = 1e8;
     whirl_pads_state state = rest(&bearing, load);
     whirl_pads_reduced(&bearing, &state, 1.0, 0.0, soft, damping);
-    check_within("pads-pivots", "very stiff pivots: place beside rigid ones", stiff.at[1], state.at[1], 1e-6);
+    check_within("pads-pivots", "very stiff pivots: place, expected by rigid ones", stiff.at[1], state.at[1], 1e-6);
     for (int k = 0; k < 2; k++)
-        check_within("pads-pivots", words("very stiff pivots: K* %s beside rigid ones", k ? "yy" : "xx"), 1.0,
+        check_within("pads-pivots", words("very stiff pivots: K* %s over that of rigid ones", k ? "yy" : "xx"), 1.0,
                      soft[k][k] / rigid[k][k], 1e-6);
     bearing.pivot_stiffness = 4.0; // about as stiff as the films
     bearing.pivot_damping = 0.3;
@@ -388,7 +388,7 @@ static void pivots(void **unused) {
         moved.pads[i].preload -= state.yield[i];
     }
     whirl_pads_state same = rest(&moved, load);
-    check_within("pads-pivots", "place beside rigid pivots further out", same.at[1], state.at[1], 1e-8);
+    check_within("pads-pivots", "place, expected by rigid pivots further out", same.at[1], state.at[1], 1e-8);
     check_in_series(&bearing, &state, 1.0, "whirl ratio 1");
     check_in_series(&bearing, &state, 0.5, "whirl ratio .5");
     // The softest springs are all that is left: k sum n n' = 5/2 k.

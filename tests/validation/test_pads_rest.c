@@ -370,7 +370,7 @@ static void springs(void **unused) {
             if (k == 0 && q < 8e6) check_comes_back(system, rest, start, q, "the middle");
             memcpy(start, rest, sizeof start);
             start[0] += 1e-3;
-            if (k == 0 && q >= 8e6) check_comes_back(system, rest, start, q, "beside it");
+            if (k == 0 && q >= 8e6) check_comes_back(system, rest, start, q, "a push");
             whirl_rotor_free(rotor);
         }
         check_within("Pads at rest", "pads on springs, mirror image", 0.0,

@@ -337,7 +337,7 @@ static void chaos_with_a_phase(void **unused) {
         whirl_rotor *rotor = finish(design);
         const double start[5] = {0.1, -0.2};
         whirl_record *record = record_motion(whirl_rotor_system(rotor), start, 1024, 500, 2000);
-        check_regime("Phases", words("a rotor that rubs at %g, beside a force", speeds[i]), expected[i], record);
+        check_regime("Phases", words("a rotor that rubs at %g, and a force", speeds[i]), expected[i], record);
         whirl_record_free(record);
         whirl_rotor_free(rotor);
     }

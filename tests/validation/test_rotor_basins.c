@@ -157,7 +157,7 @@ static void check_orbit(const expected *at, const whirl_table *table, const whir
     end_of(table, found->first, z);
     z[0] += 1e-4;
     const double again = radius_after(at->r_k, z, FINE, LONG);
-    check_within("rotor-basins", words("%s: P-%d, brute force from 1e-4 beside it: largest radius", at->what, period),
+    check_within("rotor-basins", words("%s: P-%d, brute force displaced by 1e-4: largest radius", at->what, period),
                  radius, again, 1e-4);
     memcpy(first, z, sizeof first);
     for (int n = 0; n < period; n++) revolve(at->r_k, z, FINE);

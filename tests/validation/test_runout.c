@@ -111,7 +111,7 @@ static void profiles_and_vectors(void **unused) {
         worst[1] = fmax(worst[1], fabs(samples[2][i] - samples[1][i]));
     }
     check_within("Runout", "a profile of 12 heights and its harmonics, length scales", 0.0, worst[0], 1e-14);
-    check_within("Runout", "both probes told one by one", 0.0, worst[1], 1e-14);
+    check_within("Runout", "both probes given one by one", 0.0, worst[1], 1e-14);
     for (int i = 0; i < 3; i++) whirl_result_free(all[i]);
 }
 

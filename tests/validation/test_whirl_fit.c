@@ -325,14 +325,15 @@ static void tangent(void **state) {
     system->rhs(system->model, 0.0, forcing, moved, other);
     system->tangent(system->model, 0.0, forcing, x, NULL, 1, dx, change);
     for (size_t i = 0; i < n; i++) worst = fmax(worst, fabs(other[i] - slope[i] - change[i]) / (1.0 + fabs(other[i])));
-    check_within("Whirl in time", "derivative along a direction beside the difference", 0.0, worst, 1e-13);
+    check_within("Whirl in time", "derivative along a direction against the difference", 0.0, worst, 1e-13);
     for (size_t i = 0; i < n; i++) {
         double unit[MAX_DIMENSION] = {0.0};
         unit[i] = 1.0;
         system->tangent(system->model, 0.0, forcing, x, NULL, 1, unit, change);
         trace += change[i];
     }
-    relative("its trace beside the divergence", trace, system->divergence(system->model, 0.0, forcing, x, NULL), 1e-12);
+    relative("its trace, expected by the divergence", trace, system->divergence(system->model, 0.0, forcing, x, NULL),
+             1e-12);
     whirl_rotor_free(fitted);
 }
 
@@ -440,7 +441,7 @@ static void inertia(void **state) {
     const double w = 250.0, impedance = cabs(solid(I * w).m[0][0] - 12.5 * w * w);
     check_within("Whirl in time", "inertia in a list: part by which the response differs from that of a number", 0.0,
                  apart(response[1], response[0]), 1e-12);
-    relative("inertia of 2.5 kg beside 10 kg: response along x, m", 10.0 * 2e-5 * w * w / impedance,
+    relative("inertia of 2.5 kg in addition to 10 kg: response along x, m", 10.0 * 2e-5 * w * w / impedance,
              1e-3 * cabs(response[0][0]), 1e-12);
 }
 
@@ -578,7 +579,7 @@ static void warned_of(void **state) {
                         "its bearings' tables in motions the machine is unstable, by ",
                         100) == 0 &&
                     strstr(whirl_result_warning(result, 0), "beyond the tables (0 Hz to 39.79 Hz)"));
-    check_holds("Whirl in time", "told: the fit and its error",
+    check_holds("Whirl in time", "reported: the fit and its error",
                 strncmp(whirl_result_fit(result, 0), "bearing at disc: in time 4 poles, off its table by ", 50) == 0);
     whirl_result_free(result);
     result = result_with_bearing(

@@ -257,11 +257,11 @@ static void own_state(void **state) {
             "Whirl tables",
             words("solid, damping ratio %.4f: part by which 32 points of a table differ from its formula", ratio), 0.0,
             cabs(own - formula) / cabs(formula), 3e-5);
-        check_within(
-            "Whirl tables",
-            words("solid, damping ratio %.4f: pole of the state space beside it, part of it over the ratio's square",
-                  ratio),
-            0.0, cabs(own - exact) / cabs(exact) / (ratio * ratio), 1.5);
+        check_within("Whirl tables",
+                     words("solid, damping ratio %.4f: relative difference from the pole of the state space, over the "
+                           "ratio's square",
+                           ratio),
+                     0.0, cabs(own - exact) / cabs(exact) / (ratio * ratio), 1.5);
     }
 }
 
