@@ -1,5 +1,5 @@
-// The peers SUNDIALS CVODE (Adams, every touch of the stator found as a root, the integration started afresh there) and
-// ARKODE (ERKStep with the pair of Dormand and Prince of orders 5 and 4).
+// The peers SUNDIALS CVODE (Adams; every touch of the stator is found as a root, and the integration restarts there)
+// and ARKODE (ERKStep with the pair of Dormand and Prince of orders 5 and 4).
 #include <arkode/arkode_erkstep.h>
 #include <cvode/cvode.h>
 #include <math.h>

@@ -1,6 +1,6 @@
 // The peer SUNDIALS ARKODE: ERKStep with a fixed step and Zonneveld's table, which is the classical RK4 with a fifth
-// stage for an error estimate. A table without that stage is not what it seems here: ERKStep of SUNDIALS 6.4 takes the
-// slope of a last stage at c = 1 for that of the next step's beginning, and ends 2e-6 away.
+// stage for an error estimate. A table of RK4 alone gives wrong results here: ERKStep of SUNDIALS 6.4 takes the slope
+// of a last stage at c = 1 for that of the next step's beginning, and ends 2e-6 off.
 #include <arkode/arkode_erkstep.h>
 #include <math.h>
 #include <nvector/nvector_serial.h>

@@ -19,8 +19,8 @@ typedef struct crowd {
     whirl_ensemble *ensemble;
     size_t lanes, stations, sample_count;
     whirl_ensemble_observe watch;
-    double *samples;  ///< [CROWD_SAMPLES][stations][2][lanes] of a revolution
-    double *waveform; ///< [lanes][stations][2][CROWD_SAMPLES], as records have them
+    double *samples;  ///< samples of a revolution, [CROWD_SAMPLES][stations][2][lanes]
+    double *waveform; ///< the same samples as records have them, [lanes][stations][2][CROWD_SAMPLES]
 } crowd;
 
 /// Allocates zeros; ends the program if there is no memory.

@@ -5,7 +5,7 @@
 
 #define PI 3.14159265358979323846
 
-/// Computes Capone's force of a short film in the direction (A, B), and the angle of that formula; returns sqrt(1 -
+/// Computes Capone's force of a short film in the direction (A, B), and the angle in his formula; returns sqrt(1 -
 /// e^2).
 static double short_film(const film_law *film, double x, double y, double A, double B, double *force, double *angle) {
     const double q = 1.0 - x * x - y * y, root = sqrt(q), C = sqrt(A * A + B * B);

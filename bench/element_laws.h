@@ -15,7 +15,7 @@ typedef struct film_law {
     double clearance, strength, drag;
 } film_law;
 
-/// A journal in a ring in a housing; s: the ring's speed less `speed`, its value if all are centred.
+/// A journal in a ring in a housing; s: the ring's speed less `speed`, which is its speed while all are concentric.
 typedef struct ring_law {
     film_law inner, outer;
     double speed;
@@ -33,11 +33,11 @@ typedef struct dent_law {
 
 /// s: the angles of the cage and, with dents, of inner race, outer race and ball.
 typedef struct rolling_law {
-    int count, line, oblique, dented; ///< line: rollers
+    int count, line, oblique, dented; ///< line: 1 for rollers, 0 for balls
     double stiffness, gap, cage;
     double centres, radial, axial;
     dent_law dents[3];
-    double rates[4], apart[64][2]; ///< cosine and sine of the angles from the first
+    double rates[4], apart[64][2]; ///< apart: cosine and sine of the angle of each ball from the first
 } rolling_law;
 
 typedef struct seal_law {
@@ -46,7 +46,7 @@ typedef struct seal_law {
 
 enum { RUB_SMOOTH, RUB_STRIBECK, RUB_LUGRE };
 
-/// s: the bristles, of LuGre's friction.
+/// s: the deflections of the bristles in LuGre's friction.
 typedef struct contact_law {
     double gap, stiffness, power, loss, surface;
     double kinetic, excess, stribeck_speed, slip_speed, bristle, bristle_damping;
@@ -59,10 +59,10 @@ typedef struct blade_law {
     double casing, length, stiffness, power, friction, apart[LAW_BLADES][2];
 } blade_law;
 
-/// s: of each axis sensor, PID (2), amplifier.
+/// s: for each axis the states of sensor, PID (2) and amplifier.
 typedef struct magnet_law {
     double constant, gap, bias, most, cosine, sine;
-    double sensor, amplifier, proportional, integral, derivative, filter; ///< corners; the filter's 1/T
+    double sensor, amplifier, proportional, integral, derivative, filter; ///< corner frequencies; gains; filter: 1/T
 } magnet_law;
 
 element_law ring_force, finite_force, rolling_force, seal_force, contact_force, blade_force, magnet_force;

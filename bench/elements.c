@@ -39,7 +39,7 @@ typedef struct bench_element {
     element_law *law;
     const void *numbers;
     double least, most, speed; ///< least and largest distance from the middle; largest velocity
-    double states[2], fluid;   ///< least and largest state; mass of fluid that the station has besides
+    double states[2], fluid;   ///< least and largest state; mass of fluid added to the mass of the station
     size_t axes, state_count;
 } bench_element;
 
@@ -379,7 +379,7 @@ static bench bench_new(const bench_element *of, const whirl_rotor *rotor) {
     bench b = {.of = of, .lanes = whirl_rotor_system(rotor)->lanes};
     must(isa_choose(&b.on));
     b.width = VECTORS * b.on->lanes;
-    b.count = STATES; // whatever the instruction set, for C goes through them, too
+    b.count = STATES; // for every instruction set, since C computes the same states
     b.blocks = STATES / b.width;
     b.degrees = b.lanes->degrees;
     b.rows = b.degrees + b.lanes->states;

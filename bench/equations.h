@@ -1,4 +1,4 @@
-/// The rotor's equations for solvers that take dz/dt = f(t, z): without an angle but one arctangent, cosines and sines
+/// The rotor's equations for solvers that take dz/dt = f(t, z): with no angle except one arctangent, cosines and sines
 /// by the C library, as a careful user of such a solver would write them. C and C++; in C++ for any number type.
 #ifndef BENCH_EQUATIONS_H
 #define BENCH_EQUATIONS_H

@@ -19,7 +19,7 @@ static whirl_rotor *built(whirl_design *design) {
     return rotor;
 }
 
-/// `more`: with a shaft of no stiffness to the ground.
+/// Makes the paper's rotor; with `more` it has another shaft, from disc to ground, without stiffness.
 static whirl_rotor *paper_rotor_as(bool journal_first, bool more, double r_k) {
     const double k2 = 1.0 / (rotor_w * rotor_w);
     const whirl_setting disc[] = {
@@ -109,7 +109,7 @@ whirl_rotor *films_rotor(const char *law, double length) {
     return built(design);
 }
 
-/// The shaft of overhung.h with its disc, out of balance, between three stations: left, right, disc.
+/// Makes the shaft of overhung.h with its unbalanced disc and three stations: left, right, disc.
 static whirl_design *overhung_shaft(double speed) {
     static const struct piece {
         double length, outer, elements;

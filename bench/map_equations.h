@@ -12,7 +12,7 @@
 
 enum { MAP_SIDE = 16 };
 
-/// The equations with another unbalance than rotor.h's.
+/// Computes the equations with another unbalance than rotor.h's.
 static inline void map_equations(double r_k, double rho, double t, const double *z, double *dz) {
     const double c = cos(t), s = sin(t);
     equations(r_k, c, s, z, dz);

@@ -26,7 +26,7 @@ enum {
 #define OVERHUNG_STIFFNESS 20e6    ///< N/m
 #define OVERHUNG_DAMPING 500.0     ///< N s/m
 #define OVERHUNG_FRICTION 0.1
-#define OVERHUNG_RTOL 1e-6 ///< of adaptive methods
+#define OVERHUNG_RTOL 1e-6 ///< relative tolerance of adaptive methods
 #define OVERHUNG_ATOL 1e-9
 #define OVERHUNG_SPEED 628.0 ///< rad/s, of single machines and of the first of many
 
@@ -35,7 +35,7 @@ static const double overhung_radius[2] = {0.02, 0.025}, overhung_length[2] = {0.
 /// y of the stations at rest at the start, in clearances.
 static const double overhung_start[OVERHUNG_PORTS / 2] = {-0.3, -0.6, -0.8};
 
-/// Speed of machine i of n side by side, the first of which is compared.
+/// Returns the speed of machine i of n side by side; only the end state of the first is compared.
 static inline double overhung_speed(int i, int n) {
     return OVERHUNG_SPEED + 372.0 * i / (n > 1 ? n - 1 : 1);
 }
@@ -63,7 +63,7 @@ typedef struct overhung_matrices {
     double g[OVERHUNG_DEGREES], u[OVERHUNG_DEGREES], w[OVERHUNG_DEGREES];
 } overhung_matrices;
 
-/// Reads them; a failure ends the program.
+/// Reads the matrices from a file; a failure ends the program.
 overhung_matrices overhung_read(const char *path);
 
 #endif

@@ -1,5 +1,5 @@
-/// The overhung rotor as its peers in C have it. Films and rub without an angle but one arctangent and without a
-/// branch, so that the vectoriser can take them; forces over speed^2 times the clearance.
+/// The overhung rotor as its peers in C have it. Films and rub need no angle except one arctangent, and no branch, so
+/// that the compiler can vectorise them. Forces are over speed^2 times the clearance.
 #ifndef BENCH_OVERHUNG_EQUATIONS_H
 #define BENCH_OVERHUNG_EQUATIONS_H
 
@@ -26,7 +26,7 @@ static inline void overhung_rub(double stiffness, double damping, double x, doub
     *fy = -push * (y + OVERHUNG_FRICTION * x);
 }
 
-/// z: places, then velocities, of one machine.
+/// Computes the slopes of one machine. z: displacements, then velocities.
 static inline void overhung_slope(const overhung_matrices *of, const overhung_scales *scales, double t,
                                   const double *restrict z, double *restrict dz) {
     enum { N = OVERHUNG_DEGREES };

@@ -4,8 +4,8 @@
 //   bench_overhung_matrices FILE
 //
 // The Jacobian of the rotor without films and rub holds K, which falls with the square of the speed, and G, which does
-// not depend on it; both are checked at a second speed. A spring at a station takes its stiffness times a column of P
-// from it. Gravity, and the unbalance, are the right-hand side at rest, at the instants 0, pi/2 and pi.
+// not depend on it; both are checked at a second speed. A spring at a station subtracts its stiffness times a column of
+// P. Gravity and the unbalance (g, u, w) follow from the right-hand side at rest at the instants 0, pi/2 and pi.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,7 +16,7 @@
 enum { N = OVERHUNG_DEGREES };
 
 typedef struct jacobian {
-    double place[N][N], velocity[N][N]; ///< of the accelerations; [column][row]
+    double place[N][N], velocity[N][N]; ///< derivatives of the accelerations, [column][row]
 } jacobian;
 
 static jacobian jacobian_of(double speed, const char *station, double stiffness) {

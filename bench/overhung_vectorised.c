@@ -1,7 +1,7 @@
-// The peer "compiler-vectorised loop" of the overhung rotor: PEER_MACHINES machines side by side, whose matrices are
-// one but for the scale of K; no branch; cosines tabulated, since all machines share tau; RK4 in Nystrom's form; four
-// rows of a matrix at a time. PEER_STEP 1 takes the matrices as they are; 2 leaves out the zeros that they have because
-// K acts in a plane and G across: coordinates along x and along y alternate.
+// The peer "compiler-vectorised loop" of the overhung rotor: PEER_MACHINES machines side by side, whose matrices differ
+// only in the scale of K; no branch; cosines tabulated, since all machines share tau; RK4 in Nystrom's form; four rows
+// of a matrix at a time. With PEER_STEP 1 the whole matrices are used. With 2 their zeros are skipped: coordinates
+// along x and along y alternate, K couples only coordinates of one direction, and G only those of different ones.
 #include <math.h>
 
 #include "overhung_equations.h"
@@ -18,11 +18,11 @@ typedef struct machines {
     double P[ROOM][OVERHUNG_PORTS], g[ROOM], u[ROOM], w[ROOM];
     lanes stiffness, film[2], push, damping;
     lanes q[N], v[N];                                ///< state
-    lanes qs[N], vs[N], a[ROOM], first[N], other[N]; ///< of a stage; its accelerations, their sums
+    lanes qs[N], vs[N], a[ROOM], first[N], other[N]; ///< state at a stage; its accelerations, their sums
     double table[2 * OVERHUNG_STEPS + 1][2];         ///< cosine and sine at every half step
 } machines;
 
-/// Four rows of a matrix, PEER_STEP apart, times z.
+/// Multiplies four rows of a matrix, PEER_STEP apart, by z.
 static inline void multiply(const matrix m, int first, int column, const lanes *restrict z, lanes *restrict sum) {
     for (int r = 0; r < ROWS; r++)
         for (int l = 0; l < M; l++) sum[r][l] = 0.0;
@@ -62,7 +62,7 @@ static void accelerations(const machines *restrict m, const double *wave, const 
         }
 }
 
-/// One step of all machines. `first` gathers a1 + a2 + a3, `other` a1 + 2 a2 + 2 a3.
+/// Carries all machines over one step. `first` gathers a1 + a2 + a3, `other` a1 + 2 a2 + 2 a3.
 static void step(machines *m, const double *start, const double *middle, const double *end) {
     const double h = 2.0 * M_PI / OVERHUNG_STEPS, g = 0.5 * h;
     double *restrict q = m->q[0], *restrict v = m->v[0], *restrict qs = m->qs[0], *restrict vs = m->vs[0];

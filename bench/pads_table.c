@@ -1,4 +1,4 @@
-// Writes the table of a pad (src/rotor/pads/pad_tables.h) of pads.h, as the numbers that it is.
+// Writes the table of a pad of pads.h (src/rotor/pads/pad_tables.h) to a binary file: its coefficients as doubles.
 //
 //   bench_pads_table FILE
 #include <stdio.h>

@@ -1,4 +1,5 @@
-/// Shared by the benchmark programs: proof, then measurement. C and C++.
+/// Shared by the benchmark programs: each first shows by an end state that its result is right, then measures its
+/// speed. C and C++.
 ///
 /// A program is called with the seconds to measure for and prints one line for each thing that it measures:
 /// name, steps a second of processor time, x1 after 20 revolutions; separated by tabs.
@@ -13,22 +14,22 @@ extern "C" {
 
 typedef struct peer {
     const char *name;
-    size_t machines;                ///< carried side by side
-    void (*revolve)(void *context); ///< all machines over one revolution
-    double (*x1)(void *context);    ///< of the first machine
+    size_t machines;                ///< number carried side by side
+    void (*revolve)(void *context); ///< carries all machines over one revolution
+    double (*x1)(void *context);    ///< returns x1 of the first machine
     void *context;
 } peer;
 
-/// Seconds to measure for, from the command line: its first argument, 0.3 without.
+/// Returns the seconds to measure for: the first argument of the command line, 0.3 without one.
 double peer_seconds(int argc, char **argv);
 
-/// Processor time of this process, in seconds: what other processes take of the core does not count.
+/// Returns the processor time of this process in seconds: time that other processes take of the core does not count.
 double peer_clock(void);
 
 /// Carries the machines over 20 revolutions, then over as many more as the time allows, and prints the line.
 void peer_measure(const peer *measured, double seconds);
 
-/// The same where a revolution is not of ROTOR_STEPS steps.
+/// Does the same where a revolution has `steps` steps, not ROTOR_STEPS.
 void peer_measure_steps(const peer *measured, int steps, double seconds);
 
 #ifdef __cplusplus

@@ -1,8 +1,10 @@
 // The run-up of runup.yaml for peers, called by ctypes: its equations in plain C, and Newmark's method with steps of
 // equal length.
 //
-// An unbalanced disc on a spring, x'' = (-c x' - k x)/m + e (w^2 cos + w' sin) and likewise y'', and a motor whose
-// torque falls with the speed w: J w' = T + m e (X sin - Y cos), where X and Y are the accelerations without w'.
+// An unbalanced disc on a spring, and a motor whose torque T falls with the speed w:
+//
+//     x'' = (-c x' - k x)/m + e (w^2 cos + w' sin),  y'' = (-c y' - k y)/m + e (w^2 sin - w' cos),
+//     J w' = T + m e (X sin - Y cos), where X and Y are the accelerations without w'.
 #include <math.h>
 #include <stdbool.h>
 
@@ -19,7 +21,7 @@ static void accelerate(const double z[6], double a[3]) {
     a[1] = free_y - eccentricity * a[2] * c;
 }
 
-/// Computes the right-hand side [6].
+/// Computes the right-hand side [6] of z [6], as accelerate has it.
 void bench_runup_slope(const double *z, double *slope);
 void bench_runup_slope(const double *z, double *slope) {
     for (int i = 0; i < 3; i++) slope[i] = z[3 + i];

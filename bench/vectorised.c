@@ -1,7 +1,7 @@
-// The peer "compiler-vectorised loop": as much speed as plain C gives when it is written for the vectoriser. Many
-// machines side by side, one array a quantity; no branch for the contact; no angle but one arctangent; cosines
-// tabulated, since all machines share tau. Compiled for the processor at hand with -ffast-math; PEER_ARCTAN chooses the
-// arctangent of the C library (its vector version) or the one below.
+// The peer "compiler-vectorised loop": plain C written for the vectoriser. Many machines side by side, one array for
+// each quantity; no branch for the contact; no angle except one arctangent; cosines tabulated, since all machines share
+// tau. Compiled for this machine's processor with -ffast-math; PEER_ARCTAN chooses the arctangent of the C library (its
+// vector version) or the one below.
 #include <math.h>
 
 #include "peer.h"
@@ -17,7 +17,8 @@ typedef struct machines {
 } machines;
 
 #ifdef PEER_OWN_ARCTAN
-/// atan(y/x) for x > 0: folded at pi/4, measured from the nearer of 0 and pi/4; a polynomial of ten terms for the rest.
+/// Returns atan(y/x) for x > 0: folded at pi/4, measured from the nearer of 0 and pi/4; a polynomial of ten terms for
+/// the rest.
 static inline double arctan_quotient(double y, double x) {
     const double size = fabs(y), small = size < x ? size : x, large = size < x ? x : size;
     const int turned = small > 0.41421356237309503 * large;
@@ -40,7 +41,7 @@ static inline double arctan_quotient(double y, double x) {
 #define arctan_quotient(y, x) atan((y) / (x))
 #endif
 
-/// Accelerations of one machine; `wave` is a row of the table.
+/// Computes the accelerations of one machine; `wave` is a row of the table.
 #define SLOPE(ax1, ay1, ax2, ay2, x1, y1, x2, y2, vx1, vy1, vx2, vy2, wave)                                            \
     double ax1, ay1, ax2, ay2;                                                                                         \
     slope(a, b, wave, x1, y1, x2, y2, vx1, vy1, vx2, vy2, &ax1, &ay1, &ax2, &ay2)

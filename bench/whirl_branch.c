@@ -118,7 +118,7 @@ static void print_errors(const whirl_case *object) {
         for (int i = 1; i <= 3 * DIMENSION; i++)
             if (scanf("%lf", &numbers[i]) != 1) exit(1);
         must(make_machine(object, numbers[0], &machine));
-        for (int i = 0; i < DIMENSION; i++) start[i] = numbers[1 + i] + 1e-6; // so that it is found, not taken over
+        for (int i = 0; i < DIMENSION; i++) start[i] = numbers[1 + i] + 1e-6; // off the orbit, so that it must be found
         must(whirl_orbit_find(machine.system, start, 1, &exact, &orbit));
         for (int i = 0; i < DIMENSION; i++) state = fmax(state, fabs(orbit->nodes[i] - numbers[1 + i]));
         multipliers = fmax(multipliers, multipliers_apart(orbit, numbers + 1 + DIMENSION));

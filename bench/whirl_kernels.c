@@ -1,9 +1,10 @@
 // whirl's own kernels, through the public library: the ensemble of the instruction set that WHIRL_ISA names, bare and
-// watched, of the paper's two stations, of ten and of fifty; and the integrator of single machines.
+// watched, for rotors of two stations (the paper's), of ten and of fifty; and the integrator of single machines.
 //
 //   bench_whirl_kernels SECONDS [KIND...]      kinds: integrator bare watched ten fifty films; all without
 //
-// films: ten journals without films, in short ones, in ones of finite length, and of a length that differs by the lane.
+// films: ten journals without films, in short films, in films of finite length, and in films whose length differs from
+// lane to lane.
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -59,7 +60,8 @@ static void single_free(single *s) {
     free(s->x);
 }
 
-/// Chains have no peer elsewhere: their lanes must agree with the integrator of single machines, and stay bounded.
+/// Checks that all lanes of a chain stay bounded, and that the first agrees with the integrator of single machines: no
+/// peer computes chains.
 static void check_chain(size_t stations) {
     const crowd_kind kind = kind_of(stations);
     crowd *c = crowd_new(&kind, false);

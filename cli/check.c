@@ -55,7 +55,7 @@ static error_t check_parse(int key, char *argument, struct argp_state *state) {
         arguments->force = true;
         return 0;
     case ARGP_KEY_ARG:
-        return ARGP_ERR_UNKNOWN; // taken together by ARGP_KEY_ARGS
+        return ARGP_ERR_UNKNOWN; // ARGP_KEY_ARGS reads all paths together
     case ARGP_KEY_ARGS:
         arguments->first = state->next;
         if (arguments->figure && state->argc - state->next != 1)
@@ -143,8 +143,8 @@ static whirl_status carry_with(look *l, size_t first, const whirl_batch *batch) 
     return l->carried[first] ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
 }
 
-/// Finds the number of steps per revolution that a batch needs; 0 if its own number suffices. If a revolution takes too
-/// long, the part that was computed counts.
+/// Finds the number of steps per revolution that a batch needs; 0 if the batch's own number suffices. If a revolution
+/// takes too long, the part that was computed counts.
 static whirl_status needed_steps(const whirl_study *study, const whirl_batch *batch, double *needed) {
     look l = {0};
     *needed = 0.0;

@@ -154,7 +154,7 @@ int write_whole(const char *path, bool force, const char *text) {
         complain("'%s' is no ordinary file, expected the name of one", path);
         return EXIT_FAILED;
     }
-    // Write next to it, then rename.
+    // Write a temporary file next to it, then rename that.
     if (!reason) {
         reason = write_temporary(path, temporary, text);
         if (!reason) reason = give_name(temporary, path, force);

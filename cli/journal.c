@@ -126,7 +126,7 @@ static bool is_in_the_way(const journal_wish *wish, const journal_name *name) {
     return name->owner.is_rank || other->count != own->count || other->number == own->number;
 }
 
-/// Returns true if no journal blocks the run; otherwise reports the one that has points, or that another run is
+/// Returns true if no journal blocks the run; otherwise reports a journal that has points or that another run is
 /// writing.
 static bool is_free(const journal_wish *wish, const journal_names *there) {
     const bool alone = wish->resume && !wish->merge && wish->owner.share.count == 0;

@@ -17,7 +17,7 @@ enum { JOURNAL_NAME_SIZE = 4096 };
 /// Reads a share such as "2/7" or "2-of-7"; between: "/" or "-of-". Returns false for other texts.
 bool read_share(const char *text, const char *between, whirl_share *share);
 
-/// Owner of a journal: a whole run (all zero), a share, or a rank, 1 to count - 1.
+/// Owner of a journal: a whole run (all zero), a share, or a rank, whose number is 1 to count - 1.
 typedef struct journal_owner {
     whirl_share share;
     bool is_rank;

@@ -45,7 +45,7 @@ static bool takes_next(const struct argp *argp, const char *word) {
     return false;
 }
 
-/// Suggests the nearest option for an unknown one and returns false; returns true if none is similar.
+/// Reports an unknown option, suggests the nearest one, and returns false; returns true if no option is near.
 static bool know_option(const option_names *all, const char *program, const char *word, size_t length) {
     char name[64];
     if (length >= sizeof name) return true;

@@ -69,7 +69,7 @@ whirl_status print_phases(const whirl_study *study, const whirl_batch *batch, co
         const bool turning = machine.system->turns != NULL;
         phases_note(&seen, machine.system);
         if (machine.release) machine.release(machine.owner);
-        if (!turning) return whirl_ok(); // nor in the other machines: machines of a batch differ only in numbers
+        if (!turning) return whirl_ok(); // no machine has such forces: those of a batch differ only in numbers
     }
     // Print the phase that defines sections, then the others.
     if (*whirl_rotor_keyphasor(rotor))

@@ -104,7 +104,7 @@ static error_t report_parse(int key, char *argument, struct argp_state *state) {
         arguments->explorer = argument;
         return 0;
     case ARGP_KEY_ARG:
-        return ARGP_ERR_UNKNOWN; // taken together by ARGP_KEY_ARGS
+        return ARGP_ERR_UNKNOWN; // ARGP_KEY_ARGS reads all paths together
     // Take the results, and the folder of the report.
     case ARGP_KEY_ARGS:
         arguments->results = state->argv + state->next;

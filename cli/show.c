@@ -28,7 +28,7 @@ static error_t show_parse(int key, char *argument, struct argp_state *state) {
         arguments->full = parse_json(argument, state);
         return 0;
     case ARGP_KEY_ARG:
-        return ARGP_ERR_UNKNOWN; // taken together by ARGP_KEY_ARGS
+        return ARGP_ERR_UNKNOWN; // ARGP_KEY_ARGS reads all paths together
     case ARGP_KEY_ARGS:
         arguments->first = state->next;
         if (arguments->json && state->argc - state->next > 1)

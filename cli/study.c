@@ -222,8 +222,8 @@ static int compute_and_deliver(const study_arguments *arguments, const whirl_cas
 
 // ---------------------------------------------------------------- the whole command
 
-/// Explains a refusal if several copies of `whirl` were started in parallel, which do not know of each other and want
-/// the same result. Several tasks alone are no error, since each may compute something else.
+/// Explains why a run was refused if several copies of `whirl` were started in parallel: they do not know of each other
+/// and want the same result. Several tasks alone are no error, since each may compute something else.
 static void report_tasks(const study_arguments *arguments) {
     static const char *const names[] = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}; // of Open MPI, of MPICH and Slurm
     for (size_t i = 0; i < sizeof names / sizeof *names && arguments->share.count == 0; i++) {

@@ -136,7 +136,7 @@ static void tolerance_text(const whirl_integrate_options *how, char text[NAME_SI
         snprintf(text, NAME_SIZE, "%d steps", how->steps_per_revolution);
 }
 
-/// Prints the value, or a dash for NaN.
+/// Prints a value, or a dash for NaN.
 static void print_number(const char *format, int width, double value) {
     char text[NAME_SIZE] = "-";
     if (isfinite(value)) snprintf(text, sizeof text, format, value);

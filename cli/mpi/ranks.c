@@ -16,7 +16,7 @@
 /// Outcome of all ranks together.
 typedef struct outcome {
     int failure;  ///< largest exit status of a failed rank, 0 if none failed
-    int reporter; ///< the first rank that has it
+    int reporter; ///< the first rank with this exit status
     int first;    ///< exit status of the first rank
 } outcome;
 
@@ -85,7 +85,7 @@ static void await(MPI_Request *request, ranks_meanwhile meanwhile) {
 
 enum { TAG_QUESTION = 1, TAG_ANSWER };
 
-/// Request to change numbers from a word on.
+/// Request to change shared numbers, `count` of them from `word` on.
 typedef struct question {
     int64_t word, count, is_raised;
     int64_t amounts[RANKS_MAX];
@@ -93,7 +93,7 @@ typedef struct question {
 
 enum { QUESTION_SIZE = sizeof(question) / sizeof(int64_t) };
 
-/// Changes numbers of the first rank; returns their previous values.
+/// Changes shared numbers, on the first rank; returns their previous values.
 static void change(const question *asked, int64_t before[RANKS_MAX]) {
     for (int64_t i = 0; i < asked->count; i++) {
         int64_t *word = &ranks.words[asked->word + i];
