@@ -1,4 +1,4 @@
-# The front door: thin names over CMake presets (CMakePresets.json). `make help` lists them.
+# Short names for CMake presets (CMakePresets.json) and scripts. `make help` lists them.
 
 PREFIX ?= /usr/local
 JOBS   ?= $(shell nproc)
@@ -8,7 +8,7 @@ export CTEST_OUTPUT_ON_FAILURE := 1
 
 WHIRL    := $(BUILD)/whirl
 INSTALL  := scripts/install-dependencies.sh
-# A build that exists keeps its options: `make` after `make test` does not throw the tests out.
+# A build folder that exists keeps its options: `make` after `make test` still builds the tests.
 CONFIGURE = test -f $(BUILD)/CMakeCache.txt || cmake --preset release -DWHIRL_TESTS=OFF
 COMPILE   = cmake --build $(BUILD) --parallel $(JOBS) --target whirl
 
@@ -30,8 +30,8 @@ dependencies-%:
 
 # ---------------------------------------------------------------- tests
 
-# In continuous integration (CI) the explorer must be built; elsewhere it is left out where it cannot be, as without a
-# network.
+# In continuous integration (CI) the explorer must be built; elsewhere it is left out if it cannot be built, as without
+# a network.
 EXPLORER = scripts/explorer.sh $(if $(CI),,--if-possible) $(BUILD)/explorer
 # A proof is a sequence of phases; a table at its end shows the time of each.
 export PHASES := $(CURDIR)/$(BUILD)/phases.txt
@@ -79,8 +79,8 @@ sanitize-steps: sanitize-build thread-steps
 	@$(PHASE) "sanitized: a minute of fuzzing" scripts/fuzz.sh $(BUILD)/sanitize 60
 	@$(PHASE) "sanitized: tests" ctest --test-dir $(BUILD)/sanitize -j $(JOBS) -L 'unit|cli|compilers' -LE '^($(LEAVE))$$' --no-tests=error
 
-# Both builds by sanitizers reuse the release's object of Eigen's part of the library. The thread sanitizer's also
-# reuses layers without threads.
+# Both builds by sanitizers reuse the release's object of Eigen's part of the library. The build for the thread
+# sanitizer also reuses layers without threads.
 sanitized = -DWHIRL_OTHER=$(CURDIR)/$(BUILD)
 ALONE    := report;import
 
@@ -175,7 +175,7 @@ bench: dependencies-build-report-bench ## measured speed beside other programs; 
 	cmake --build $(BUILD) --parallel $(JOBS) --target bench
 	bench/run.py $(BUILD) --docs docs $(BENCH_OPTIONS)
 
-# What was installed since the build was configured, such as Octave's compiler, is looked for again.
+# CMake looks again for what was installed since the build was configured, such as Octave's compiler.
 install: all    ## into PREFIX (/usr/local)
 	cmake $(BUILD) >/dev/null
 	cmake --build $(BUILD) --parallel $(JOBS)
@@ -190,7 +190,7 @@ format: dependencies-lint ## the sources, by clang-format, prettier and black
 lint:           ## formats, long lines, clang-tidy and cppcheck of all sources, without changing anything
 	$(call prove,lint-steps)
 
-# The sources as they are read by compilers and linters alike.
+# Compilers and linters read the same sources: the generated headers are made first.
 lint-steps:
 	@$(INSTALL) build test lint
 	@cmake --preset release -DWHIRL_TESTS=ON >/dev/null

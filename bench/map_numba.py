@@ -47,7 +47,7 @@ def slope(r_k, rho, t, z, dz):
 
 @njit(fastmath=True, error_model="numpy")
 def revolve(r_k, rho, z, h, k, y):
-    """One revolution; gives the last step and the largest radius of the disc."""
+    """Carries the rotor over one revolution. Returns the last step and the largest radius of the disc."""
     t, largest, end = 0.0, 0.0, 2 * math.pi
     slope(r_k, rho, t, z, k[0])
     while t < end:

@@ -28,7 +28,7 @@ struct machine {
     }
 };
 
-/// Returns the distance of the second motion, and brings it back to that of the perturbation.
+/// Returns the factor by which the second motion's distance has grown, and scales it back to that of the perturbation.
 static double renew(const state &z, state &twin) {
     double distance = 0.0;
     for (size_t i = 0; i < z.size(); i++) distance += (twin[i] - z[i]) * (twin[i] - z[i]);

@@ -1,5 +1,5 @@
 % The peer Octave script: loops over one machine, as the authors of a paper would write it. Steps take so long that one
-% revolution tells the speed; the first 20 give the end state.
+% revolution suffices to measure the speed; the first 20 give the end state.
 1; % a script, not a file of functions
 function dz = slope(t, z)
     r_k = 0.6; w = 0.2; r_m = 8.4; xi1 = 0.0157509; xi2 = 0.286154;

@@ -12,7 +12,7 @@ static inline pack below_zero(const pack &a) {
     return stdx::min(a, pack(0.0));
 }
 
-/// The arctangent, measured from the nearest of 0, pi/4 and pi/2; a polynomial of ten terms for the rest.
+/// Returns the arctangent, measured from the nearest of 0, pi/4 and pi/2; a polynomial of ten terms for the rest.
 static inline pack atan(const pack &y) {
     const double terms[] = {0x1.5c499b265fce1p-6, -0x1.651538dff7b49p-5, 0x1.d253e722db8aap-5, -0x1.1005137c53d01p-4,
                             0x1.3afc32143df6bp-4, -0x1.745bc2f2036d0p-4, 0x1.c71c65ccd3f69p-4, -0x1.24924905743e5p-3,

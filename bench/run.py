@@ -445,7 +445,7 @@ def adaptive_table(best, errors):
 
 
 def adaptive_sentences(best, errors, loop):
-    """Sentences that compare with GSL, and with heyoka by way of peers."""
+    """Sentences that compare with GSL, and with heyoka through peers that ran on both computers."""
     gsl = best.get("GSL odeiv2 rk8pd")
     if not gsl:
         return ["GSL was not there to compare with."]
@@ -824,7 +824,7 @@ PADS_FILMS = {"short film": 4, "finite film": 4, "five fixed pads": 20, PADS_TIL
 
 
 def pads_costs(rates, isa):
-    """Nanoseconds a film and machine, by the kind of bearing: of four forces a step."""
+    """Nanoseconds per film, machine and computed force (four a step), by the kind of bearing."""
     seconds = {kind: 1 / rates[f"whirl {isa}, {kind}"] for kind in ["none", *PADS_FILMS]}
     return {kind: 1e9 * (seconds[kind] - seconds["none"]) / (4 * films) for kind, films in PADS_FILMS.items()}
 
@@ -964,7 +964,7 @@ def study_of(case, text):
 
 
 def runup_by_whirl(options, folder, rtol):
-    """Seconds, and place at the end, of the run of runup.yaml."""
+    """Seconds of the run of runup.yaml, and where the disc is at its end."""
     case, result = pathlib.Path(folder, "runup.yaml"), pathlib.Path(folder, "runup.h5")
     case.write_text((HERE / "runup.yaml").read_text().replace("40 s}", f"40 s, rtol: {rtol:g}}}"))
     seconds = run_timed(options, case, result)[1]

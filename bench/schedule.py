@@ -19,7 +19,7 @@ import itertools
 
 
 def read_costs(path):
-    """Rows of revolutions, by the second parameter, along the first one."""
+    """Revolutions of all points: a row for each value of the second parameter, along the first one."""
     with open(path, newline="", encoding="utf-8") as file:
         table = csv.DictReader(file)
         taken = [name for name in table.fieldnames if name.startswith(("regime/revolutions", "floquet/revolutions"))]
@@ -32,7 +32,7 @@ def read_costs(path):
 
 
 def finer(rows, points):
-    """Costs of `points` points, nearly square, row by row."""
+    """Costs of a nearly square map of `points` points, row by row: those of the nearest measured ones."""
     width = round(points ** 0.5)
     height = points // width
     for y in range(height):

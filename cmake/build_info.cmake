@@ -1,6 +1,6 @@
 # The facts of the build that src/base/build.c reports: compiler, flags and libraries when configuring, the git revision
 # and a hash of the sources at every build. Included after whirl_layer(base), when the compile options are set.
-#   cmake -DSOURCE=<folder> -DHEADER=<file> -P cmake/build_info.cmake    writes the two (what the build runs)
+#   cmake -DSOURCE=<folder> -DHEADER=<file> -P cmake/build_info.cmake    writes revision and hash; the build runs this
 
 if(CMAKE_SCRIPT_MODE_FILE)
   cmake_minimum_required(VERSION 3.25)
@@ -40,7 +40,8 @@ set(folder ${PROJECT_BINARY_DIR}/build_info)
 set(BUILD_COMPILER "${CMAKE_C_COMPILER_ID} ${CMAKE_C_COMPILER_VERSION}")
 set(BUILD_TYPE "${CMAKE_BUILD_TYPE}")
 
-# Flags that shape the code; warnings do not, nor does the name of the folder that packages are built in.
+# Keeps the flags that affect the code: neither those of warnings nor the name of the folder in which packages are
+# built.
 string(TOUPPER "${CMAKE_BUILD_TYPE}" kind)
 get_directory_property(options COMPILE_OPTIONS)
 separate_arguments(given UNIX_COMMAND "${CMAKE_C_FLAGS} ${CMAKE_C_FLAGS_${kind}}")

@@ -18,8 +18,9 @@ endif()
 # Every product is rounded where it is written (no contraction), so that compilers and widths agree to the bit.
 set(WHIRL_ROUNDING -ffp-contract=off -fno-math-errno -fno-trapping-math)
 
-# The address sanitizer finds wrong addresses when they are used. All loops of a kernel are written out: checking every
-# pointer beforehand as well makes it take some five times as long to compile, and so does unrolling on request.
+# The address sanitizer finds wrong addresses when they are used, so pointers need no check beforehand. In kernels such
+# checks would multiply the time to compile by five, and so would the unrolling that loops request (VECTOR_FOR), which
+# -O1 leaves out.
 set(WHIRL_SANITIZED_KERNELS "")
 if(WHIRL_SANITIZE MATCHES address AND WHIRL_SANITIZE MATCHES undefined)
   set(WHIRL_SANITIZED_KERNELS -O1 -fno-sanitize=pointer-overflow,null,object-size)
@@ -30,8 +31,8 @@ if(WHIRL_FUZZ)
 endif()
 
 # Writes for every instruction set a file into `folder` that includes `source`, and adds these files to the list
-# `result`. The compiler finds `source` by its place in `root`: an absolute path would keep compilers' caches from
-# serving several trees.
+# `result`. The compiler finds `source` by its place in `root`: with an absolute path, compiler caches could not be
+# shared by several trees.
 function(whirl_kernel source root folder result)
   get_filename_component(stem ${source} NAME_WE)
   file(RELATIVE_PATH included ${root} ${source})

@@ -16,7 +16,7 @@ picture() { # NAME FIGURE: one of the figures of NAME.h5
     cp "report/$1/$2.png" "$images/$1.png"
 }
 
-# A case with another study: its lines from standard input.
+# Runs a case with another study, whose lines come from standard input.
 study() { # CASE NAME
     { sed '/^study:/,$d' "$cases/$1.yaml" && echo "study:" && cat; } >"$2.yaml"
     "$whirl" run "$2.yaml" --quiet

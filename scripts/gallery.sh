@@ -1,6 +1,6 @@
 #!/bin/bash
 # The gallery: explorers of the example cases, in BUILD/gallery:  gallery.sh BUILD
-# BUILD is a folder as seen from the project's. Needs BUILD/whirl and BUILD/explorer/template.html (make explorer).
+# BUILD is a path relative to the project's folder. Needs BUILD/whirl and BUILD/explorer/template.html (make explorer).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 build=$1

@@ -64,7 +64,7 @@ if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
     exit 0
 fi
 
-# Node that came from elsewhere, with npm, is as good as Debian's.
+# A node that was not installed from Debian's packages suffices if it has npm.
 if command -v node >/dev/null && command -v npm >/dev/null; then
     for i in "${!wanted[@]}"; do
         case ${wanted[i]} in nodejs | npm) unset "wanted[i]" ;; esac

@@ -13,7 +13,7 @@ mapfile -t packages < <(find "$out" -name '*.deb' ! -name '*-dbgsym_*')
 needed=$(sed -n 's/^Depends: //p' debian/tests/control | tr ',\n' '  ')
 install="apt-get install -qq -y --no-install-recommends -o Dpkg::Use-Pty=0 /packages/*.deb $needed"
 hooks=(
-    # shellcheck disable=SC2016 # $1 is the folder of the system, which mmdebstrap says.
+    # shellcheck disable=SC2016 # $1 is the folder of the system, which mmdebstrap passes.
     --customize-hook='mkdir "$1/packages" "$1/tests"'
     --customize-hook="copy-in ${packages[*]} /packages"
     --customize-hook="copy-in ${tests[*]/#/$PWD/debian/tests/} /tests"

@@ -1,5 +1,5 @@
 #!/bin/bash
-# Builds Debian packages of what git has (HEAD), in a folder of their own, and runs lintian on them:
+# Builds Debian packages of the committed sources (HEAD), in a folder of their own, and runs lintian on them:
 #
 #   scripts/package.sh OUT [EXPLORER.html]
 #
@@ -10,7 +10,7 @@ cd "$(dirname "$0")/.."
 out=$(mkdir -p "$1" && realpath "$1")
 page=${2:+$(realpath "$2")}
 version=$(sed -nE '1s/.*\((.*)\).*/\1/p' debian/changelog)
-# Outside the repository, whose revision and files are not to be seen.
+# Build outside the repository, so that its revision and other files cannot be seen.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 git archive --prefix="whirl-$version/" HEAD | tar -x -C "$work"

@@ -15,7 +15,7 @@ out=$(mkdir -p build/targets && realpath build/targets)
 bundle=$out/whirl.bundle
 git bundle create --quiet "$bundle" HEAD
 
-# What a person types there.
+# Prints the commands that a user types for a target.
 commands_of() { # TARGET OPTIONS
     echo "set -e; cd /root; export HOME=/root DEBIAN_FRONTEND=noninteractive
 git clone -q whirl.bundle whirl; cd whirl
@@ -31,7 +31,7 @@ for target in "${targets[@]}"; do
     commands_of "$target" "$([ "$target" != bench ] || echo BENCH_OPTIONS=\"--rounds=1 --study-rounds=1 --seconds=0.05\")" \
         >"$out/$target.sh"
     begun=$SECONDS
-    # shellcheck disable=SC2016 # $1 is the folder of the system, which mmdebstrap says.
+    # shellcheck disable=SC2016 # $1 is the folder of the system, which mmdebstrap passes.
     if mmdebstrap --quiet --variant=apt --include=make,git,ca-certificates \
         ${certificates:+--customize-hook="copy-in $certificates /root"} \
         --customize-hook="copy-in $bundle /root" --customize-hook="copy-in $out/$target.sh /root" \

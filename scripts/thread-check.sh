@@ -5,7 +5,7 @@ set -euo pipefail
 build=$1
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
-# By its path: programs have no run path that leads there.
+# The tool is named by its path, since programs have no run path to it.
 archer=$(dirname "$(readlink -f "$(command -v clang)")")/../lib/libarcher.so
 export OMP_TOOL_LIBRARIES=$archer ARCHER_OPTIONS=verbose=1
 export TSAN_OPTIONS="ignore_noninstrumented_modules=1 halt_on_error=1 exitcode=66"
