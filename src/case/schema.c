@@ -147,8 +147,7 @@ static const whirl_key resting_keys[] = {
 
 static const whirl_key fit_keys[] = {
     CHOICE_KEY("name", OPTIONAL, "", "name of this fit among several; its table is fit_NAME"),
-    CHOICE_KEY("unknown", REQUIRED, "",
-               "names of the parameters that are looked for, each with start, from and to, or nothing"),
+    CHOICE_KEY("unknown", REQUIRED, "", "names of the unknown parameters, each with start, from and to, or nothing"),
     CHOICE_KEY("data", REQUIRED, "",
                "a table of measured numbers (CSV), or a list of them: paths from the folder of the case, or with `at` "
                "and `noise`; or numbers such as onset: see fit_data"),
@@ -405,7 +404,7 @@ const whirl_group schema_curves = GROUP("curves", "curves of special points over
 const whirl_group schema_initial = PART("initial", "the state that a station starts from", of_probe);
 const whirl_group schema_event = GROUP("event", "an event of a run-up", event_keys, NULL);
 const whirl_group schema_fit_unknown =
-    GROUP("fit_unknown", "where an unknown parameter is looked for", fit_unknown_keys, NULL);
+    GROUP("fit_unknown", "the start and the bounds of an unknown parameter", fit_unknown_keys, NULL);
 const whirl_group schema_fit_data = GROUP("fit_data", "a table of measured numbers, or a number", fit_data_keys, NULL);
 const whirl_group schema_starts = GROUP("starts", "several starts of every point", starts_keys, NULL);
 const whirl_group schema_tolerances =

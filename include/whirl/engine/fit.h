@@ -21,7 +21,7 @@ extern "C" {
 
 /// Limits of fits.
 enum {
-    WHIRL_MAX_UNKNOWNS = 8,        ///< parameters that are looked for
+    WHIRL_MAX_UNKNOWNS = 8,        ///< unknown parameters
     WHIRL_MAX_FIT_SETS = 32,       ///< files of measured numbers
     WHIRL_MAX_FIT_MOTIONS = 1024,  ///< motions of a fit
     WHIRL_MAX_FIT_NUMBERS = 100000 ///< measured numbers

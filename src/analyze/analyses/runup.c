@@ -204,7 +204,7 @@ static const field_plan fields[FIELD_COUNT] = {
                   "forward, backward (0-p amplitudes of x + iy at the orders; a row a bin, one spectrum after another)",
                   WHIRL_PER_STATION, 2, runup_every_bin_of_spectra},
     [STATIONARY] = {WHIRL_FIELD_RUNUP_STATIONARY, "1",
-                    "speed, torque, holds (rad/s, N m: where the motor's torque equals what brakes the shaft in small "
+                    "speed, torque, holds (rad/s, N m: where the motor's torque equals the braking torques in small "
                     "motions; 1: the shaft stays there, 0: it leaves)",
                     WHIRL_PER_POINT, 3, runup_every_stationary},
     [FOLD] = {WHIRL_FIELD_RUNUP_FOLD, "1",

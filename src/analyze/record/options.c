@@ -178,7 +178,7 @@ const whirl_member *whirl_fit_members(void) {
             "part of the unknowns by which they are changed to derive statistics"),
         FIT(FLAG, profile, "profile", "", WHIRL_KEY_CHOICE, "no", WHIRL_ANY, "yes|no|true|false",
             "find profile intervals, too, for which all other unknowns are fitted again: for parameters on which "
-            "motions depend in a curved way"),
+            "motions depend nonlinearly"),
         FIT_COUNT(unknowns, WHIRL_MAX_UNKNOWNS, "number of unknown parameters"),
         FIT_COUNT(motions, WHIRL_MAX_FIT_MOTIONS, "number of motions"),
         FIT_COUNT(numbers, WHIRL_MAX_FIT_NUMBERS, "number of measured numbers"),
@@ -281,8 +281,8 @@ const whirl_member *whirl_runup_members(void) {
                WHIRL_KEY_WHOLE, false, "0", WHIRL_FROM_TO(0, WHIRL_MAX_EVENTS), NULL,
                "number of the events, and of a change of parameters", ""),
         RUNUP(WORD, speeds, "", WHIRL_KEY_CHOICE, "", WHIRL_ANY, "",
-              "in place of a rate: the speed over the time as a list of [time, speed], straight between, or a file of "
-              "comma-separated values with the columns time and speed"),
+              "in place of a rate: the speed over the time as a list of [time, speed], linear between them, or a file "
+              "of comma-separated values with the columns time and speed"),
         RUNUP(WORD, rate_law, "", WHIRL_KEY_CHOICE, "", WHIRL_ANY, "",
               "in place of a rate: the rate, rad/s2, as a formula of time and speed, a list of [time, rate], or a file "
               "with these columns; speed_to is the highest speed"),
@@ -295,7 +295,7 @@ const whirl_member *whirl_runup_members(void) {
               "with these columns"),
         RUNUP(WORD, ground_x, "", WHIRL_KEY_CHOICE, "", WHIRL_ANY, "",
               "the acceleration of the ground along x, m/s2, as a formula of time and speed, a list of [time, "
-              "ground_x], or a file with these columns, straight between; 0 before and after a table"),
+              "ground_x], or a file with these columns, linear between rows; 0 before and after a table"),
         RUNUP(WORD, ground_y, "", WHIRL_KEY_CHOICE, "", WHIRL_ANY, "",
               "the acceleration of the ground along y, m/s2, as that along x: a formula, a list of [time, ground_y], "
               "or a file"),
@@ -305,10 +305,9 @@ const whirl_member *whirl_runup_members(void) {
             "contacts, in all, or in none"),
         RUNUP(FLAG, drag, "", WHIRL_KEY_CHOICE, "yes", WHIRL_ANY, "yes|no|true|false",
               "films and seals brake a shaft that its drive turns; no: the load has their drag"),
-        RUNUP(
-            WHOLE, stationary, "1", WHIRL_KEY_WHOLE, "120", WHIRL_FROM_TO(0, 100000), NULL,
-            "speeds at which the torque of a drive is compared with what brakes the shaft, to find stationary speeds; "
-            "0: none"),
+        RUNUP(WHOLE, stationary, "1", WHIRL_KEY_WHOLE, "120", WHIRL_FROM_TO(0, 100000), NULL,
+              "number of speeds at which the torque of a drive is compared with the torques that brake the shaft, to "
+              "find stationary speeds; 0: none"),
         RUNUP(WHOLE, rows, "1", WHIRL_KEY_WHOLE, "400", WHIRL_FROM_TO(2, 100000), NULL,
               "number of rows of the result, at equal times: each shows the last turn of the shaft before its time"),
         RUNUP(WHOLE, samples, "1", WHIRL_KEY_WHOLE, "128", WHIRL_FROM_TO(16, 65536), NULL,

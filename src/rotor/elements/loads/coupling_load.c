@@ -29,7 +29,7 @@ enum { BETWEEN, DISTANCE, X1, Y1, X2, Y2, STIFFNESS, TORQUE, ORDERS, PHASE, KEY_
 static const whirl_key keys[KEY_COUNT] = {
     [BETWEEN] = STATIONS_KEY("between", REQUIRED, "the ends of the driving and of the driven shaft; they tilt"),
     [DISTANCE] = CITED_NUMBER_KEY("distance", "Z", "m", REQUIRED, WHIRL_POSITIVE,
-                                  "distance of the two planes in which it bends", "Gibbons 1976"),
+                                  "distance of the two planes in which the coupling bends", "Gibbons 1976"),
     [X1] = OFFSET("x1", "dX_1", "offset along x of the far plane from the axis of the driving shaft"),
     [Y1] = OFFSET("y1", "dY_1", "offset along y of the far plane from the axis of the driving shaft"),
     [X2] = OFFSET("x2", "dX_2", "offset along x of the far plane from the axis of the driven shaft"),
