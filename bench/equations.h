@@ -34,7 +34,7 @@ EQUATIONS_FOR static inline void equations_film(number x, number y, number vx, n
     *fy = -(y * CV3 - A * G + B * S2) / q;
 }
 
-/// c, s: cosine and sine of tau. z holds x1, y1, x2, y2 and their derivatives.
+/// Computes dz. c, s: cosine and sine of tau. z holds x1, y1, x2, y2 and their derivatives.
 EQUATIONS_FOR static inline void equations(number r_k, double c, double s, const number *z, number *dz) {
     const double c2 = 1.0 - 2.0 * s * s, s2 = 2.0 * s * c;
     const number a = r_k + 1.0, b = r_k - 1.0;

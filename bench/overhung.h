@@ -42,7 +42,7 @@ static inline double overhung_speed(int i, int n) {
 
 /// Scales that follow from a speed, for forces per unit of inertia.
 typedef struct overhung_scales {
-    double stiffness, film[2], push, damping; ///< of K and g, of F0, and of the rub's k and c
+    double stiffness, film[2], push, damping; ///< scales of K and g, of each film, of the rub's stiffness and damping
 } overhung_scales;
 
 static inline overhung_scales overhung_scales_at(double speed) {

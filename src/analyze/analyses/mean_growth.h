@@ -22,7 +22,7 @@ whirl_estimate estimate_regular_mean(const double *values, size_t count, size_t 
 /// Sum of all exponents, compared with its exact value.
 typedef struct growth_balance {
     double sum, exact; ///< sum of all exponents; the same from the divergence, NaN if unknown
-    double miss;       ///< their distance, an error of the integration; 0 if unknown
+    double miss;       ///< distance of `sum` from `exact`, an error of the integration; 0 if unknown
     /// The distance exceeds the standard errors and a thousandth of all exponents' sizes: the steps did not resolve the
     /// perturbations, and no exponent is valid.
     bool failed;

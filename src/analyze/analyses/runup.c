@@ -31,7 +31,7 @@ static size_t runup_every_row_with_torques(const block_shape *shape) {
     return runup_every_torque(shape) > 0 ? runup_every_row(shape) : 0;
 }
 
-/// Elements by number in the field of torques.
+/// Names of the elements with torques, by their number in the field of torques.
 static const char *const torque_kinds[WHIRL_TORQUE_KINDS] = {[WHIRL_TORQUE_BETWEEN] = "twist",
                                                              [WHIRL_TORQUE_INDUCTION_MOTOR] = "induction_motor",
                                                              [WHIRL_TORQUE_SYNCHRONOUS_START] = "synchronous_start",

@@ -57,7 +57,7 @@ static whirl_status coexisting_rest(const whirl_system *system, const whirl_reco
 /// Number of orbit searches. They start near states of the section, from its end backwards at equal distances.
 enum { STARTS = 32 };
 
-/// Options for orbit searches: the motion's own method, or one that is exact enough to tell stability.
+/// Returns the options for orbit searches: the motion's own method, or one that is exact enough to tell stability.
 static whirl_collect_options coexisting_options(const whirl_integrate_options *integrate, const double *low,
                                                 const double *high, const double *around) {
     const whirl_method *method;

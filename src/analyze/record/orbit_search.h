@@ -24,10 +24,11 @@ typedef struct orbit_search {
     bool in_lane, done; ///< true if the search is in a lane; true if it has ended
 } orbit_search;
 
-/// Makes a search from the state x [dimension], or one to be read (NULL). NULL without memory.
+/// Makes a search from the state x [dimension], or, if x is NULL, one that an archive restores. Returns NULL without
+/// memory.
 orbit_search *orbit_search_new(const whirl_system *system, size_t revolutions, const double *x);
 
-/// Serializes the result; the search must be for the same system and period.
+/// Archives (saves or restores) the result; the search must be for the same system and period.
 void orbit_search_archive(orbit_search *s, archive *a);
 
 /// Computes the derivative of the map over all revolutions, matrix [kept][kept]; `work` has as many.

@@ -100,7 +100,7 @@ whirl_record *record_new(const whirl_system *system, const whirl_integrate_optio
     return record;
 }
 
-/// Serializes options: a saved state continues only with the same ones.
+/// Archives (saves or compares) options: a saved state continues only with the same ones.
 static void options_archive(const whirl_member *member, const void *options, archive *a) {
     for (; member->part; member++) {
         const char *letter = (const char *)options + member->offset;

@@ -30,7 +30,7 @@ section record_points(const whirl_record *record);
 /// Clears coordinates that turn from a complete record: they have no size and no place in the section.
 void record_close_turns(whirl_record *record);
 
-/// Serializes the options and sizes that a record's meaning depends on, and its content so far.
+/// Archives (saves or restores) the options and sizes that a record's meaning depends on, and its content so far.
 void record_archive(whirl_record *record, const whirl_integrate_options *integrate, const whirl_record_options *options,
                     archive *a);
 

@@ -204,7 +204,7 @@ static void motion_archive(const whirl_recorder *r, motion *m, archive *a) {
     if (m->saved && a->sound) archive_part(a, m->saved, numbers * sizeof *m->saved);
 }
 
-/// Serializes one motion; false without memory.
+/// Saves one motion in `state`; false without memory.
 static bool save_motion(const whirl_recorder *r, motion *m, whirl_motion_state *state) {
     if (!recorder_waits(m)) {
         m->saved = malloc(whirl_ensemble_numbers(r->ensemble) * sizeof *m->saved);

@@ -15,7 +15,7 @@ typedef struct settling settling;
 settling *settling_new(const whirl_system *system);
 void settling_free(settling *settling);
 
-/// Serializes its state.
+/// Archives (saves or restores) the kept states.
 void settling_archive(settling *settling, archive *a);
 
 /// Adds the state x [dimension] at the end of a revolution. Returns the least k <= 128 after which the motion has

@@ -32,12 +32,12 @@ typedef struct runup_station {
 
 /// A turn of the shaft.
 typedef struct runup_turn {
-    double time, speed;            ///< s, rad/s, at its middle
-    double end;                    ///< s, at its end
+    double time, speed;            ///< s, rad/s, at the turn's middle
+    double end;                    ///< s, at the turn's end
     double turns;                  ///< turns of the shaft since the beginning
-    bool whole;                    ///< the run does not end within it: means and orders count
-    bool parted;                   ///< an event happened in it, such as a trip or the end of a rate
-    whirl_torques torques;         ///< at its end
+    bool whole;                    ///< the run does not end within the turn: means and orders count
+    bool parted;                   ///< an event happened in the turn, such as a trip or the end of a rate
+    whirl_torques torques;         ///< torques at the turn's end
     const runup_station *stations; ///< [probe_count]
     const double *force;           ///< [contact_count] N, largest normal force
     const double *share;           ///< [contact_count] share of the turn in contact

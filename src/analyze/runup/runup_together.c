@@ -14,7 +14,7 @@ enum { SAMPLE_BYTES = 1 << 26, MAX_TOGETHER = 64 };
 typedef struct runup_lanes {
     whirl_ensemble *ensemble;
     const whirl_system *first;     ///< machine that defines the structure
-    size_t runs, count;            ///< lanes of runs, and all: those of their copies follow
+    size_t runs, count;            ///< lanes of runs; all lanes, of which those of the runs' copies come last
     size_t used;                   ///< lanes that a run has, or had
     bool any;                      ///< a lane is to be carried
     struct runup_member **members; ///< [runs]

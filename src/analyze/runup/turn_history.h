@@ -18,7 +18,7 @@ typedef struct turn_instant {
 typedef struct turn_samples {
     size_t samples, probes, contacts;
     size_t width;         ///< numbers of a row
-    double *numbers;      ///< [samples][width]; one block with those of `ends`
+    double *numbers;      ///< [samples][width]; in one block with the numbers of `ends`
     turn_instant ends[2]; ///< workspace
 } turn_samples;
 

@@ -28,8 +28,8 @@ static moments weighted_moments(const section *all, size_t coordinate, size_t fi
 
 /// Comparison of the halves over all coordinates of the section.
 typedef struct comparison {
-    double difference;  ///< largest squared difference between the halves: of the means over the variance, of the mean
-                        ///< squares over the squared variance
+    double difference;  ///< greatest of two squared differences of the halves: of the means over the variance, of the
+                        ///< mean squares over the squared variance
     double early, late; ///< sums of the variances of the first and of the second half
 } comparison;
 

@@ -21,7 +21,7 @@ typedef struct edge {
 typedef struct tree {
     size_t count;
     edge *edges;      ///< [count - 1], in the order in which they joined
-    edge *longest;    ///< the same, longest first
+    edge *longest;    ///< [count - 1] the same edges, longest first
     size_t *label;    ///< [count] curve of each point
     double *distance; ///< [count] scratch: to the nearest point of the tree, -1 for points in it
     size_t *nearest;  ///< [count] scratch: that point

@@ -19,7 +19,7 @@ typedef struct cloud {
     size_t count, dimension;
     double *points;    ///< [count][dimension]
     double *axes[2];   ///< [dimension] main axes, unit vectors
-    double *across[2]; ///< [count] along the axes, mean square 1
+    double *across[2]; ///< [count] coordinates of the points along the axes, mean square 1
     double *turns;     ///< [count] from each point to the next, in 0 .. 1
     double *sorted;    ///< [count] scratch
     size_t ordered;    ///< last points that are sorted: the effect of the number's error grows with their age

@@ -16,7 +16,7 @@ void balance_add(balance_normal *of, const double complex *a, double complex b, 
 /// Returns true if the columns are independent, from the normal equations of columns of length 1. A pivot of
 /// Cholesky's method is the square of the part of a column that the columns before it do not span.
 static bool are_distinct(size_t n, const double complex *matrix) {
-    static const double least = 1e-10; // minimum of that square
+    static const double least = 1e-10; // smallest pivot of independent columns
     double complex rest[BALANCE_UNKNOWNS * BALANCE_UNKNOWNS];
     memcpy(rest, matrix, n * n * sizeof *rest);
     for (size_t k = 0; k < n; k++) {

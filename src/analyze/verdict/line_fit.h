@@ -29,8 +29,8 @@ line_combination line_combination_of(const line_bases *bases, double order, doub
 typedef struct line_fit {
     bool found;         ///< false: the record is too short to distinguish its lines
     line_bases bases;   ///< frequencies, refined
-    double wander[2];   ///< their change per revolution
-    double trend[2];    ///< growth rates of the amplitudes of the lines at these, per revolution
+    double wander[2];   ///< change of the frequencies per revolution
+    double trend[2];    ///< growth rates of the amplitudes of the lines at these frequencies, per revolution
     double unexplained; ///< share of the mean square about the mean that is in no line
 } line_fit;
 

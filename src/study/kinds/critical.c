@@ -83,7 +83,7 @@ typedef struct search {
     const whirl_study *study;
     const whirl_batch *batch;
     const resting_machine *from; ///< machine with the mode to follow
-    size_t mode;                 ///< SIZE_MAX: stability
+    size_t mode;                 ///< index of the mode; SIZE_MAX: the stability threshold
     whirl_critical at;           ///< result at the last value tried
 } search;
 

@@ -21,7 +21,7 @@ typedef struct derived {
     const whirl_layout *layout;
     double value;                               ///< value of the batch's parameter
     size_t count;                               ///< number of numbers
-    whirl_spread_at numbers[WHIRL_MAX_DERIVED]; ///< their places in blocks
+    whirl_spread_at numbers[WHIRL_MAX_DERIVED]; ///< places of the numbers in blocks
     double *parameters, *found, *slopes;        ///< the fields in the block
     /// [parameters] Least first distances from the values, above 0 for parameters that are 0; or NULL.
     const double *reaches;

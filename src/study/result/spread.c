@@ -308,7 +308,8 @@ static void spread_chance(const whirl_spread *of, double count, double failed, w
     to->to = all > 0.0 ? wilson((count > 0.0 ? hits : 0.0) + failed, all, 1.0) : (double)NAN;
 }
 
-/// Counts numbers, and samples without one, among those that are done.
+/// Counts the samples that are done and those of them without a number (in `s`), and the numbers that exist or are
+/// missing.
 static void spread_count(const drawn *of, whirl_spread *s, double *count, double *failed) {
     *count = *failed = 0.0;
     for (size_t j = 0; j < of->samples; j++) {

@@ -39,7 +39,7 @@ typedef struct point {
     bool reverse;          ///< the next point has the previous slot
     size_t left;           ///< points from this one on
     double begun;          ///< time at which it began (clock_seconds)
-    whirl_machine machine; ///< its machine
+    whirl_machine machine; ///< machine of the point
     double *copy_start;    ///< initial state of a perturbed copy, or NULL
     const double *from;    ///< [dimension] initial state of its motion
 } point;
@@ -55,8 +55,8 @@ typedef struct pass_work {
     whirl_layout other;         ///< layout of a verdict that is compared with the point's
     deal deal;                  ///< points that no worker has begun
     size_t ready_count;
-    point **ready;    ///< points whose predecessor is done, and that no worker has
-    size_t under_way; ///< points that workers have
+    point **ready;    ///< points whose predecessor is done, and that no worker has taken
+    size_t under_way; ///< points that workers have taken and not finished
 } pass_work;
 
 /// A thread that works at a pass.
