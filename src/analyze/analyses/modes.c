@@ -48,7 +48,7 @@ static size_t rests_along_axis(const block_shape *shape) {
     return shape->axial ? 1 : 0;
 }
 
-/// Rows of located events: at most one crossing for each mode, and a threshold.
+/// Returns the number of rows of located events: at most one crossing for each mode, and a threshold.
 static size_t modes_located(const block_shape *shape) {
     return (size_t)shape->options->modes + 1;
 }

@@ -449,7 +449,7 @@ static void note_limit(const whirl_recorder *r, const motion *m) {
 /// Notes the result of a motion's revolution.
 static void recorder_note(whirl_recorder *r, motion *m) {
     whirl_record *record = m->record;
-    // Take the new state; the record keeps the one before.
+    // Take the new state; the record keeps the previous one.
     memcpy(record->end, m->x, record->dimension * sizeof *m->x);
     whirl_ensemble_state(r->ensemble, m->lane, m->x);
     record->motion = whirl_ensemble_motion(r->ensemble, m->lane);

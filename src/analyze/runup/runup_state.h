@@ -77,11 +77,11 @@ typedef struct runup_state {
                                          ///< the distance of its samples
     double turns, angle0;                ///< turns completed, and the angle of the first state
     double *peak_state;                  ///< [probes][most] the sample before the largest radius
-    double *peak_from, *peak_length;     ///< [probes] its angle, and how far the sample after it is
-    runup_where *peak_where;             ///< [probes] setting of that state
+    double *peak_from, *peak_length;     ///< [probes] angle of this sample, and distance to the next sample
+    runup_where *peak_where;             ///< [probes] setting at this sample
     double *torque_state;                ///< [torques][2][most] the samples before the largest and the least torque
-    double *torque_length;               ///< [torques][2] how far the samples after them are
-    runup_where *torque_where;           ///< [torques][2] settings of these states
+    double *torque_length;               ///< [torques][2] distances from these samples to the next ones
+    runup_where *torque_where;           ///< [torques][2] settings at these samples
     bool parted;                         ///< an event happened in the turn
     double *copy;                        ///< [most] a motion that began nearby; NULL: none, or it was lost
     double size;                         ///< largest radius so far

@@ -180,7 +180,7 @@ static void runup_carry_lanes(runup_lanes *lanes) {
     whirl_ensemble_revolve(lanes->ensemble, lanes->count, &observe);
 }
 
-/// Takes a part from its lanes.
+/// Reads the end of a part, and of the copy over it, from their lanes.
 static void runup_unload(runup_member *member) {
     runner *r = &member->r;
     whirl_ensemble *ensemble = member->in->ensemble;

@@ -317,7 +317,7 @@ static whirl_status balance_correct(const whirl_balance *of, whirl_correction *o
     size_t index[WHIRL_MAX_PLANES] = {0};
     double complex amounts[BALANCE_UNKNOWNS];
     bool determined;
-    // Find the weights that leave least vibration.
+    // Find the weights that leave the least vibration.
     const size_t count = find_used(of, out, index);
     const whirl_status status = best_weights(of, out, index, count, amounts, &determined);
     if (status.code != WHIRL_OK) return status;

@@ -28,7 +28,7 @@ typedef struct rest_search {
     const fit_place *place;
     const fit_turning *turning;
     bool onset;
-    double near; ///< the nearest is taken; -INFINITY: the first
+    double near; ///< the result is the nearest to this value; -INFINITY: the first
     bool found;
     whirl_critical best;
 } rest_search;

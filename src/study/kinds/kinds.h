@@ -13,8 +13,8 @@
 
 typedef struct study_kind {
     const char *name; ///< name of its whirl_kind
-    size_t piece;     ///< points that are shared or dealt as one piece if they are not carried; 0: all
-    size_t (*piece_of)(const whirl_batch *batch); ///< NULL, or returns that number for a batch
+    size_t piece;     ///< points of a piece (shared or dealt as a whole), unless points are carried; 0: all
+    size_t (*piece_of)(const whirl_batch *batch); ///< returns `piece` of a batch; NULL: the same for all
     /// Computes the points of a pass, on all threads. The tracker reports errors and stops. WHIRL_NO_MEMORY. NULL:
     /// the main loop (run/passes.c) computes the points, which are motions, together with those of other passes.
     whirl_status (*work)(study_run *run, const pass *p);

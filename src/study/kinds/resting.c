@@ -363,7 +363,7 @@ static whirl_status run_point_describe(worker *w, run_point *p, whirl_resting *p
     return status;
 }
 
-/// Makes the machine of a run-up; an error of the machine is its status.
+/// Makes the machine of a run-up. An error of the machine becomes the status of the run-up.
 static whirl_status run_point_begin(worker *w, run_points *all, size_t slot) {
     const size_t i = all->count++;
     run_point *p = &all->points[i];

@@ -162,7 +162,7 @@ static whirl_status add_found(rows *r, size_t count, size_t parent, const leg le
 
 // ---------------------------------------------------------------- where branches begin
 
-/// Finds the orbit on which a motion settles, one copy for each leg.
+/// Finds the orbit on which a motion settles, and gives each leg a copy of it.
 static whirl_status tracing_begin_settled(const rows *r, size_t count, leg legs[MAX_LEGS]) {
     whirl_status status = settled_orbit(r->run->study, r->batch, legs[0].value, &legs[0].orbit);
     for (size_t i = 1; i < count && status.code == WHIRL_OK; i++) {

@@ -33,7 +33,7 @@
 #include "mapped.h"
 #include "whirl/engine/ensemble.h"
 
-/// A point under way, and the number of points that follow it, each from the end of the one before.
+/// A point under way, and the number of points that follow it, each from the end of the previous one.
 typedef struct point {
     size_t slot;           ///< slot of the batch's table
     bool reverse;          ///< the next point has the previous slot
