@@ -169,7 +169,7 @@ docs: dependencies-build-report-python-docs ## the documentation as a site that 
 	docs/site/build.py $(BUILD)
 	@echo "The site is $(BUILD)/docs/index.html"
 
-bench: dependencies-build-report-bench ## measured speed beside other programs; writes docs/benchmarks.md and its picture
+bench: dependencies-build-report-bench ## measured speed compared with other programs; writes docs/benchmarks.md and its picture
 	@$(CONFIGURE)
 	cmake $(BUILD) -DWHIRL_BENCH=ON
 	cmake --build $(BUILD) --parallel $(JOBS) --target bench

@@ -325,7 +325,7 @@ def study_table(best, studies):
               for kind, (clock, used) in studies.items()]
     one, two = studies.get("all analyses, 1 thread"), studies.get("all analyses, 2 threads")
     if two:
-        lines += ["", f"Two threads are {one[0] / two[0]:.2f} times as fast as one by the clock, which counts on an "
+        lines += ["", f"Two threads are {one[0] / two[0]:.2f} times as fast as one by the clock, which is valid on an "
                   f"idle computer only (see the load above). Their processor time differs from that of one thread by "
                   f"{100 * (two[1] / one[1] - 1):.1f} percent."]
     return lines
@@ -341,7 +341,7 @@ def key_ratios(best):
             ("the best loop that the compiler vectorised", vectorised),
             ("the Octave script", best.get("Octave script"))]
     lines = [f"The {widest} kernel takes {short(bare)} steps a second bare and {short(watched)} watched: recording a motion "
-             f"(bounds, contacts, 64 samples per revolution) costs {100 * (bare / watched - 1):.0f} percent. Times as fast as:",
+             f"(bounds, contacts, 64 samples per revolution) costs {100 * (bare / watched - 1):.0f} percent. Its rate divided by that of:",
              ""]
     lines += [f"- {name}: {short(bare / rate)} bare, {short(watched / rate)} watched" for name, rate in rows if rate]
     return lines
@@ -353,8 +353,8 @@ This page compares the speed of whirl's kernels with other programs for the same
 (printed signs, Sf = 0.0045, G = 0.115976), from rest at y = -0.1, double precision, RK4 in 1024 steps per revolution. A
 *step* is one step of one machine. `make bench` repeats the measurements and writes this page.
 
-All programs ran in one session on one core, in {rounds} alternating rounds of {seconds:g} s, of which the best counts;
-by processor time. A check before the rounds proves that every program computes the same: x1 after 20 revolutions at r_k
+All programs ran in one session on one core, in {rounds} alternating rounds of {seconds:g} s. The best round counts, by
+processor time. A check before the rounds proves that every program computes the same: x1 after 20 revolutions at r_k
 = 0.6 agrees to 1e-6 with 0.3457490150754.
 
 - Processor: {computer}
@@ -382,8 +382,8 @@ by processor time. A check before the rounds proves that every program computes 
 
 ## More stations
 
-Chains of equal discs, a film at both ends, one rub in the middle; every shaft, disc and film from the list. In
-brackets: the ratio to the rate of two stations, 2 x steps/s.
+The rotors are chains of equal discs with a film at both ends and one rub in the middle; every shaft, disc and film is
+an element of the list. Brackets give the ratio to the rate of two stations, 2 x steps/s.
 
 {stations}
 """
@@ -650,13 +650,14 @@ ELEMENTS = """
 
 Kernels of elements in lanes compared with C functions of the same laws (`bench/element_laws.c`, -O3 -march=native): one
 sine and cosine for all balls or blades, branches for open contacts, accelerations added up as kernels do. Both compute
-the same random states of machines with four of the element. All contacts touch; of balls and blades those touch that
-the displacements reach. Nanoseconds an element and machine, of one core; all agree to 1e-12 with C.
+the same random states of machines with four of the element. All contacts touch; balls and
+blades touch if the displacements reach them. Times are nanoseconds for one element of one machine on one core. All
+numbers agree with C to 1e-12.
 
 {table}
 
 Aim: five times. Contacts that do not touch are not in the table: there C returns at once, and lanes are some three
-times as fast. C is part of the runs of all instruction sets, so its best is of more rounds than theirs.
+times as fast. C runs along with every instruction set, so its best time is from more rounds.
 """
 
 
@@ -756,7 +757,7 @@ def overhung_sentences(rates):
     rows += [(f"the best loop that the compiler vectorised, {form}",
               next((rate for name, rate in rates.items() if name.startswith(LOOP) and form in name), None))
              for form in OVERHUNG_FORMS]
-    lines = [f"Times as fast as, of the {widest} kernel (aims: 10 and 2):", ""]
+    lines = [f"Rate of the {widest} kernel divided by that of (aims: 10 and 2):", ""]
     return lines + [f"- {name}: {short(bare / rate)} bare, {short(watched / rate)} watched" for name, rate in rows
                     if rate]
 
@@ -833,10 +834,10 @@ def pads_sentences(rates):
     widest = next(isa for isa in INSTRUCTION_SETS if f"whirl {isa}, {PADS_TILTING}" in rates)
     costs, own = pads_costs(rates, widest), rates[f"whirl {widest}, {PADS_TILTING}"]
     films = ", ".join(f"{kind} {short(cost)} ({cost / costs['short film']:.1f})" for kind, cost in costs.items())
-    return [f"- A film costs a machine of the {widest} kernel, in ns (of a short film): {films}. Aims: 2.2 (finite) and 5 "
+    return [f"- Cost of a film for one machine of the {widest} kernel, in ns (ratio to the short film): {films}. Aims: 2.2 (finite) and 5 "
             "(a pad); when they were set a short film took 2.9 ns, so they meant 6.4 and 14.5 ns.",
-            f"- Five tilting pads, of straightforward C (aim: 10): {own / rates['C -O3']:.1f} times -O3, "
-            f"{own / rates[BASE]:.1f} times -O3 -march=native -ffast-math."]
+            f"- Five tilting pads, rate divided by that of straightforward C (aim: 10): {own / rates['C -O3']:.1f} with -O3, "
+            f"{own / rates[BASE]:.1f} with -O3 -march=native -ffast-math."]
 
 
 def measure_pads(options):
@@ -867,9 +868,9 @@ def measure_pads(options):
 FIT = """
 ## A fit
 
-Five parameters of a rotor that rubs, fitted to three orbits of 64 samples (`bench/fit.yaml`). *Orbits* are those that
-were computed, *error* is the largest of the five parameters against an independent program, as a part of them.
-Processor time of one core.
+Five parameters of a rotor that rubs, fitted to three orbits of 64 samples (`bench/fit.yaml`). *Orbits* is the
+number of computed orbits; *error* is the largest relative error of the five parameters against an independent program.
+Times are processor time of one core.
 
 {table}
 
