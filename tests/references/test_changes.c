@@ -262,7 +262,7 @@ static void orbits_that_begin_are_stable(void **state) {
         if ((kind != WHIRL_DOUBLING && i > 0) || pieces[i].orbit.returns > 8) continue;
         reported += !isnan(point->criticality);
         check_holds("changes",
-                    words("%s at %.6f: not said to be subcritical (%.3g)", special_word(kind), point->value,
+                    words("%s at %.6f: not reported as subcritical (%.3g)", special_word(kind), point->value,
                           point->criticality),
                     !(point->criticality > 0.0));
     }

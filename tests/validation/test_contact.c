@@ -127,9 +127,11 @@ static void restitution(void **unused) {
         double state[4] = {1.0, 0.0, v / (1e-3 * rate), 0.0};
         revolve(integrator, state, 1);
         const double back = -state[2] * 1e-3 * rate / v;
-        check_within("contact-impact", words("Lankarani-Nikravesh, e = %g: the first integral at what comes out", e),
+        check_within("contact-impact",
+                     words("Lankarani-Nikravesh, e = %g: the first integral at the restitution found", e),
                      log((1.0 + share) / (1.0 - share * back)), share * (1.0 + back), 1e-12);
-        check_within("contact-impact", words("Lankarani-Nikravesh, e = %g: what comes out, from it", e), e, back,
+        check_within("contact-impact", words("Lankarani-Nikravesh, e = %g: restitution found, from the given one", e),
+                     e, back,
                      i == 0   ? 0.014
                      : i == 1 ? 0.1
                               : 0.25);
@@ -443,7 +445,7 @@ static void derivatives(void **unused) {
                      worst, 1e-8);
         check_within("contact-laws", words("%s: the same of switches, and of their derivatives", laws[k].name), 0.0,
                      switches, 1e-7);
-        check_within("contact-laws", words("%s: what acts on the stator, from the opposite", laws[k].name), 0.0, action,
+        check_within("contact-laws", words("%s: force on the stator, from the opposite one", laws[k].name), 0.0, action,
                      1e-14);
         whirl_rotor_free(rotor);
     }

@@ -342,7 +342,8 @@ static void springs_stand_for_bearings(void **unused) {
             looked++;
         }
     }
-    check_within("CS", "5.9.1 on springs for its bearings: largest relative difference of 24 speeds", 0.0, worst, 1e-9);
+    check_within("CS", "5.9.1 on springs in place of its bearings: largest relative difference of 24 speeds", 0.0,
+                 worst, 1e-9);
     check_within("CS", words("stiffness of tables at %zu of these speeds, largest relative difference", looked), 0.0,
                  errors, 1e-9);
     whirl_result_free(expected);
@@ -383,7 +384,7 @@ static void stiffness_of_films(void **unused) {
         double at[2], up[2], down[2], speeds[MAX_SPEEDS], h = 1e-5;
         rest_in_film(50.0 * 9.81 / scale, at);
         assert_int_equal(speeds_of(result, point, 0, speeds), 2);
-        check_within("CS", words("mass on a spring for its film: critical speed %zu, rad/s", point + 1), speed,
+        check_within("CS", words("mass on a spring in place of its film: critical speed %zu, rad/s", point + 1), speed,
                      speeds[0], 1e-9 * speed);
         for (size_t c = 0; c < 2; c++) {
             whirl_film_force(at[0] + (c ? 0.0 : h), at[1] + (c ? h : 0.0), 0.0, 0.0, up);

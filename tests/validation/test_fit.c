@@ -568,9 +568,9 @@ static void recovery(void **unused) {
     }
     check_within(
         "Fit",
-        words("%zu machines of four kinds: intervals of 95 %% that hold what was put in, %%", (size_t)KINDS * machines),
+        words("%zu machines of four kinds: 95 %% intervals that contain the true value, %%", (size_t)KINDS * machines),
         94.5, 100.0 * (double)within / (double)all, 4.5);
-    check_within("Fit", "of these, machines whose parameter that acts on nothing is named, %", 100.0,
+    check_within("Fit", "of these, machines whose parameter without effect is named, %", 100.0,
                  100.0 * (double)named / (double)(KINDS * machines), 0.0);
 }
 

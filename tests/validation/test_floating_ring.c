@@ -122,7 +122,7 @@ static void spin(void **unused) {
     concentric(&fading);
     x[RING_STATE] = -0.15;
     revolve(integrator, x, 2);
-    check_within("floating-ring", "two revolutions after the ring was too slow by .15: what is left",
+    check_within("floating-ring", "two revolutions after the ring was too slow by .15: remaining difference",
                  -0.15 * exp(-fading * 12.566370614359172), x[RING_STATE], 1e-13);
     whirl_integrator_free(integrator);
     whirl_rotor_free(rotor);

@@ -209,7 +209,7 @@ static void no_graze_is_missed(void **unused) {
                  sum.miscounted, 0.0);
     check_within("grazes", "largest difference of an end state after a revolution", 0.0, sum.apart, 1e-9);
     // Both kinds must be there, and hardly any too faint to tell.
-    check_holds("grazes", "motions that touch and motions that do not, none too faint to tell",
+    check_holds("grazes", "motions that touch and motions that do not, each clear",
                 sum.touched > all / 4 && sum.touched < all * 9 / 10 && sum.faint <= all / 1000);
 }
 

@@ -152,7 +152,7 @@ static void the_moments_of_a_joint(void **unused) {
         }
         const char *turning = way > 0 ? "counter-clockwise" : "clockwise";
         check_within("Joint", words("%s: moments of a cross of two pins, N m", turning), 0.0, worst, 1e-12);
-        check_within("Joint", words("%s: power that comes out over what goes in, less 1", turning), 0.0, power, 1e-14);
+        check_within("Joint", words("%s: power out over power in, less 1", turning), 0.0, power, 1e-14);
         if (way > 0) { // p passes 0 and 90 degrees nearly
             check_within("Joint", "largest on the driving yoke, T tan b", torque * tan(b), largest[0], 0.2);
             check_within("Joint", "largest on the driven yoke, T sin b", torque * sin(b), largest[1], 0.2);
@@ -226,7 +226,7 @@ static void the_reactions_of_gibbons(void **unused) {
     as_forces(of, expected);
     forces_at(still, 0.7, found);
     for (int i = 0; i < DEGREES; i++) worst = fmax(worst, fabs(found[i] - expected[i]));
-    check_within("Gibbons", "forces and moments that stand still, N and N m", 0.0, worst, 1e-9);
+    check_within("Gibbons", "forces and moments that do not turn, N and N m", 0.0, worst, 1e-9);
     // Nothing holds the coupling but both shafts: all moments about the middle are in balance.
     check_within("Gibbons", "moments on it along x, N m", 0.0, found[4] + found[6] - 0.05 * found[0], 1e-12);
     check_within("Gibbons", "moments on it along y", 0.0, found[5] + found[7] - 0.05 * found[1], 1e-12);

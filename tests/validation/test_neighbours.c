@@ -168,7 +168,7 @@ static void the_upper_orbit_is_followed_to_its_fold(void **state) {
     check_within("neighbours",
                  "hardening spring: places with two orbits (brute force, carried up and down) in a map of 17 x 4",
                  (double)all.several, (double)(found.count - PLACES), 0.0);
-    check_within("neighbours", "... places where 3 starts and those from neighbours tell another number of orbits", 0.0,
+    check_within("neighbours", "... places where 3 starts and those from neighbours find another number of orbits", 0.0,
                  (double)all.differing, 0.0);
     check_within("neighbours", "... largest distance of an orbit of brute force from the nearest of these", 0.0,
                  all.largest, 1e-5);
@@ -309,7 +309,7 @@ static void the_rubbing_orbit_is_followed(void **state) {
                       "force at %d",
                       there),
                 there > 0 && there < RATIOS);
-    check_within("neighbours", "... ratios at which 6 starts and those from neighbours tell otherwise", 0.0,
+    check_within("neighbours", "... ratios at which 6 starts and those from neighbours find otherwise", 0.0,
                  (double)differing, 0.0);
     check_within("neighbours", "... largest difference of the largest x of its section (clearances)", 0.0, away, 1e-4);
     check_holds("neighbours", words("... at %d of them none of the 6 starts leads there", alone), alone > 0);

@@ -298,7 +298,7 @@ static void boundary_has_its_dimension(void **state) {
         follow(angles[i], rates[i], &end);
         ways[i] = end.way;
     }
-    check_within("pendulum", "starts that lead to none of both", 0.0, (double)lost, 0.0);
+    check_within("pendulum", "starts that lead to neither", 0.0, (double)lost, 0.0);
     check_shares(labels, ways, count, uncertain);
     const share exponent = exponent_of(uncertain), escape = exponent_by_escape(count);
     check_within("pendulum", "dimension of the boundary, by rates of escape and growth", 2.0 - escape.value,

@@ -370,7 +370,7 @@ static void every_element(void **unused) {
         for (size_t which = 0; which < numbers; which++) compare(&samples[i], which, &worst, &beyond);
         check_within("Sensitivity", words("%s: by %zu numbers, part of the derivative", samples[i].name, numbers), 0.0,
                      worst, 1e-10);
-        check_within("Sensitivity", words("%s: errors over what was said of them", samples[i].name), 0.0, beyond, 3.0);
+        check_within("Sensitivity", words("%s: errors over the reported ones", samples[i].name), 0.0, beyond, 3.0);
     }
 }
 

@@ -102,7 +102,7 @@ static void stopped_orders(void **unused) {
         for (size_t k = 0; k < TAKEN; k++) most = fmax(most, fabs((double)taken[k]) / scale);
         worst = fmax(worst, most);
     }
-    check_within("sensors", "what is left of orders from 0.58 of the rate on", 0.0, worst, 1.1e-4);
+    check_within("sensors", "remainder of orders from 0.58 of the rate on", 0.0, worst, 1.1e-4);
 }
 
 /// An accelerometer is a mass on a spring, and a high pass.

@@ -355,7 +355,8 @@ static void two_hundred_machines(void **unused) {
     printf("%d unstable, %d motions\n", unstable, moved);
     check_within("Linear", "random machines: right verdicts of 200", MACHINES, right, 0);
     check_within("Linear", "random machines: right numbers of rigid-body modes", MACHINES, held, 0);
-    check_within("Linear", "random machines: motions that do not grow or fall as eigenvalues say", 0, moved - grown, 0);
+    check_within("Linear", "random machines: motions that do not grow or fall as eigenvalues predict", 0, moved - grown,
+                 0);
     assert_true(unstable >= 40 && unstable <= 160 && moved >= 15);
 }
 

@@ -77,16 +77,16 @@ static void beam_with_overhang(void **unused) {
     const double q = line_mass() * g, P = m * g, EI = bending();
     const double right = (q * 2.5 * 2.5 / 2.0 + P * 2.5) / L, left = q * 2.5 + P - right;
     const double end = -q * a * a / 2.0 - P * a, middle = q * L * L / 8.0 + end / 2.0;
-    check_relative("B14", "beam that hangs over: load of the left bearing, N", left, at[0].load, 1e-9);
-    check_relative("B14", "beam that hangs over: load of the right bearing, N", right, at[2].load, 1e-9);
-    check_relative("B14", "beam that hangs over: moment at the right bearing, N m", end, at[2].moment, 1e-9);
-    check_relative("B14", "beam that hangs over: moment in the middle, N m", middle, at[1].moment, 1e-9);
-    check_relative("B14", "beam that hangs over: deflection in the middle, m",
+    check_relative("B14", "overhanging beam: load of the left bearing, N", left, at[0].load, 1e-9);
+    check_relative("B14", "overhanging beam: load of the right bearing, N", right, at[2].load, 1e-9);
+    check_relative("B14", "overhanging beam: moment at the right bearing, N m", end, at[2].moment, 1e-9);
+    check_relative("B14", "overhanging beam: moment in the middle, N m", middle, at[1].moment, 1e-9);
+    check_relative("B14", "overhanging beam: deflection in the middle, m",
                    -5.0 * q * pow(L, 4.0) / (384.0 * EI) - end * L * L / (16.0 * EI), at[1].deflection, 1e-9);
-    check_relative("B14", "beam that hangs over: mass beyond the right bearing, kg", line_mass() * a + m, at[2].mass[1],
+    check_relative("B14", "overhanging beam: mass beyond the right bearing, kg", line_mass() * a + m, at[2].mass[1],
                    1e-9);
-    check_relative("B14", "beam that hangs over: mass left of the middle, kg", line_mass(), at[1].mass[0], 1e-9);
-    check_within("B14", "beam that hangs over: load by raising its bearings, N/m", 0.0, influence[2], 1e-3);
+    check_relative("B14", "overhanging beam: mass left of the middle, kg", line_mass(), at[1].mass[0], 1e-9);
+    check_within("B14", "overhanging beam: load by raising its bearings, N/m", 0.0, influence[2], 1e-3);
 }
 
 /// Three equal bearings: 3/16, 10/16 and 3/16 of the weight; raising the middle one by e brings it 48 EI e/(2 l)^3.

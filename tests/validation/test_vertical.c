@@ -196,7 +196,7 @@ static void axial_forces(void **state) {
                  mirrored ? 0.0 : 2.0, mirrored ? 0.8 : 0.0, given, mirrored ? 0.0 : 1.2, mirrored ? 0.8 : 0.5, g,
                  mirrored ? "end" : "start");
         whirl_result *result = result_of_text(text);
-        const char *which = mirrored ? "mirrored" : "as it stands";
+        const char *which = mirrored ? "mirrored" : "as given";
         const double m = line_mass(), sleeve = density * pi * (0.03 * 0.03 - 0.02 * 0.02) / 4.0;
         const double mass = 2.0 * m + 0.7 * sleeve + 52.0, above = 1.2 * m + 0.7 * sleeve + 42.0;
         const double expected[4][2] = {{0.0, given - 2.0 * g},
@@ -272,7 +272,7 @@ static void on_springs(void **state) {
              modulus, density);
     whirl_result *result = result_of_text(text);
     const double own = table_number(&result->tables[0], 0, WHIRL_FIELD_CRITICAL_SPEEDS_SPEED, 0);
-    check_within(table, "a disc that hangs: first critical speed on springs in the place of its bearings, rad/s", own,
+    check_within(table, "a disc that hangs: first critical speed on springs in place of its bearings, rad/s", own,
                  table_number(&result->tables[1], 0, WHIRL_FIELD_CRITICAL_SPEEDS_SPEED, 0), 1e-9 * own);
     // A massless string under T above the disc and nothing below would add 2 T/L to the 48 EI/L^3 of its bending.
     const double without = sqrt(48.0 * bending() / pow(3.0, 3.0) / (60.0 + 0.5 * 3.0 * line_mass()));

@@ -285,7 +285,7 @@ static void free_decay(void **state) {
     // x_2 = a x_1 + b x_0, x_3 = a x_2 + b x_1.
     const double det = places[1] * places[1] - places[0] * places[2];
     const double b = (places[2] * places[2] - places[1] * places[3]) / -det;
-    relative("solid: what is left after a revolution of free decay, squared", creal(turned * conj(turned)), -b, 1e-10);
+    relative("solid: remainder after a revolution of free decay, squared", creal(turned * conj(turned)), -b, 1e-10);
     whirl_rotor_free(fitted);
 }
 
@@ -406,8 +406,8 @@ static void over_speeds(void **state) {
         whirl_rotor_free(linear);
     }
     check_within("Whirl in time",
-                 "poles that go with the speed: part by which 41 responses differ from the linear study's", 0.0, worst,
-                 3e-3);
+                 "poles in proportion to the speed: part by which 41 responses differ from the linear study's", 0.0,
+                 worst, 3e-3);
     check_within("Whirl in time", "the same: part by which the right-hand side changes between speeds 1e-5 rad/s apart",
                  0.0, jump, 1e-6);
 }
@@ -573,7 +573,7 @@ static void warned_of(void **state) {
         result_with_bearing("frequencies: [0, 50, 100, 150, 200, 250], kxx: [1e6, 1.01e6, 1.02e6, 1.03e6, "
                             "1.04e6, 1.05e6], kxy: 8e4, kyx: -8e4, cxx: 100");
     (void)state;
-    check_holds("Whirl in time", "warned of: an instability beyond the table, which says nothing there",
+    check_holds("Whirl in time", "warned of: an instability beyond the table, where it has no numbers",
                 strncmp(whirl_result_warning(result, 0),
                         "study.response: with the rational functions that replace "
                         "its bearings' tables in motions the machine is unstable, by ",

@@ -175,8 +175,9 @@ static void all_of_them(void **state) {
         whirl_modes_free(own);
         machine.release(machine.owner);
     }
-    check_within("Whirl tables", "three discs: frequency looked up at over that of the mode, largest difference from 1",
-                 0.0, worst, 1e-12);
+    check_within("Whirl tables",
+                 "three discs: frequency of the coefficients over that of the mode, largest difference from 1", 0.0,
+                 worst, 1e-12);
 }
 
 // ---------------------------------------------------------------- a bearing with a state of its own

@@ -97,7 +97,7 @@ static void compare_point(const peer_point *point) {
     check_within("E3", "and its multipliers", 0.0, multipliers_apart(ROTOR_STATES, state + ROTOR_STATES, multipliers),
                  1e-7);
     if (strcmp(point->kind, "NS") == 0)
-        check_within("E3", "modulus of the largest where AUTO says Neimark-Sacker", 1.0,
+        check_within("E3", "modulus of the largest at AUTO's Neimark-Sacker point", 1.0,
                      largest_modulus(ROTOR_STATES, matrix), 1e-8);
     whirl_integrator_free(integrator);
     whirl_rotor_free(rotor);
