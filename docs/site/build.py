@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 """The documentation site:  build.py BUILD [--without-runs]
 
-Lays the Markdown of the repository out in BUILD/docs-work/source as it lies here, adds the pages that are made of other
-things (headers, cases, programs, the man page), runs the tutorials, and lets Sphinx make BUILD/docs of it. Needs no
-network. --without-runs shows the tutorials without what their cells print, which is quick.
+Copies the Markdown of the repository to BUILD/docs-work/source with the same folders, adds pages that are made of
+headers, cases, programs and the man page, runs the tutorials, and builds BUILD/docs with Sphinx. Needs no network.
+--without-runs shows the tutorials without the output of their cells, which is quick.
 """
 
 import importlib
@@ -24,11 +24,11 @@ ROOT = Path(__file__).resolve().parents[2]
 MATHJAX = Path("/usr/share/javascript/mathjax")
 MATHJAX_PARTS = ["MathJax.js", "config/TeX-AMS_CHTML.js", "extensions", "jax/element", "jax/input/TeX",
                  "jax/output/CommonHTML", "fonts/HTML-CSS/TeX/woff"]
-# Sphinx, whose millions of nodes Python would look through again and again for garbage, a quarter of the time.
+# Sphinx makes millions of nodes. With the usual thresholds Python's garbage collector takes a quarter of the time.
 SPHINX = "import gc, sphinx.cmd.build as s; gc.set_threshold(200000, 50, 50); raise SystemExit(s.main())"
-# In the first line of a block: what tests/docs/examples.sh does with it.
+# The mark in the first line of a block that tells tests/docs/examples.sh how to test it.
 TESTED = re.compile(r"^(```\w+\n)(?:#|//|%) tested\b.*\n", re.MULTILINE)
-# Pages of the navigation; some with a name that tells them from others there, in the place of their title.
+# Pages of the navigation; some have a distinguishing name in place of their title.
 PARTS = {
     "Using whirl": ["docs/guide/README", "docs/tutorials/README", "docs/gallery", "Python guide <docs/python>",
                     "docs/octave", "docs/figures", "Studies on a cluster <docs/cluster>", "Elements of your own <docs/elements>"],
@@ -38,7 +38,7 @@ PARTS = {
     "What it rests on": ["docs/theory", "docs/verification-manual", "docs/benchmarks"],
     "The project": ["ARCHITECTURE", "CONTRIBUTING", "Portability <docs/portability>", "CHANGELOG"],
 }
-# The lesson to begin with; the others follow as their list has them.
+# The first lesson; the others follow in the order of their list.
 FIRST_LESSON = "first-rotor"
 
 
@@ -48,7 +48,7 @@ def write(path, text):
 
 
 def adapted(text):
-    """Markdown of a forge as that of the site: formulas, and links to what is a page here; no marks for tests."""
+    """Converts Markdown of a forge to that of the site: formulas, links to pages of the site, no marks for tests."""
     text = TESTED.sub(r"\1", text)
     text = text.replace("```math\n", "```{math}\n")
     text = re.sub(r"\]\(((?:\.\./)*cases/[\w-]+)\.yaml\)", r"](\1.md)", text)
@@ -72,7 +72,7 @@ def lay_out_markdown(source):
 
 
 def lay_out_guide(source):
-    """The chapters of the user guide, below their list."""
+    """Writes the chapters of the user guide, below their list."""
     chapters = sorted(ROOT.glob("docs/guide/[0-9]*.md"))
     for path in chapters:
         write(source / "docs/guide" / path.name, adapted(path.read_text()))
@@ -94,7 +94,7 @@ def lay_out_listings(source):
 
 
 def lay_out_gallery(build, source):
-    """The explorers that `make gallery` has built, next to their cases."""
+    """Adds the explorers that `make gallery` has built, next to their cases."""
     explorers = {path.stem: path for path in (build / "gallery").glob("*.html")}
 
     def links(case):
@@ -110,7 +110,7 @@ def lay_out_gallery(build, source):
 
 
 def lay_out_reference(build, work, source):
-    """The C reference, also of the header that CMake makes, and the Python reference."""
+    """Writes the C reference, with the header that CMake makes, and the Python reference."""
     headers.run_doxygen([ROOT / "include", build / "include"], work / "doxygen")
     (source / "api").mkdir(exist_ok=True)
     listed = headers.write_pages(work / "doxygen/xml", source / "api", work / "doxygen/headers")
@@ -121,7 +121,7 @@ def lay_out_reference(build, work, source):
 
 
 def lay_out_element_headers(folder):
-    """The headers that are installed for custom elements, as they are: macros of theirs are no plain C."""
+    """Shows the headers installed for custom elements unchanged: Doxygen cannot read their macros."""
     installed = re.search(r"install\(FILES ([^)]*)\n\s*DESTINATION \S*/whirl/element\)",
                           (ROOT / "cmake/install.cmake").read_text())[1].split()
     listed = []
@@ -133,7 +133,7 @@ def lay_out_element_headers(folder):
 
 
 def lay_out_python(source):
-    """The Python reference, where the package is: what `whirl` itself offers, then the modules that it names."""
+    """Writes the Python reference, if the package exists: the names of `whirl` itself, then its modules."""
     package = ROOT / "bindings/python/whirl"
     if not package.is_dir():
         return
@@ -147,7 +147,7 @@ def lay_out_python(source):
 
 
 def lay_out_tutorials(source, runs):
-    """In the order in which their list names them, behind the one to begin with."""
+    """Writes the tutorials in the order of their list, after the first lesson."""
     text = (ROOT / "docs/tutorials/README.md").read_text()
     names = re.findall(r"\]\(([\w-]+)\.md\)", text)
     folder = source / "docs/tutorials"
@@ -163,12 +163,12 @@ def lay_out_tutorials(source, runs):
 
 
 def page_of(entry):
-    """The page of an entry of PARTS."""
+    """Returns the page of an entry of PARTS."""
     return re.sub(r".*<(.*)>$", r"\1", entry)
 
 
 def lay_out_front(source):
-    """README is the front page; the parts of the site hang on it."""
+    """Writes the front page, which is README with the navigation of all parts."""
     text = adapted((ROOT / "README.md").read_text())
     listed = {page_of(entry) for entries in PARTS.values() for entry in entries}
     others = [f"docs/{path.stem}" for path in sorted(source.glob("docs/*.md")) if f"docs/{path.stem}" not in listed]
@@ -202,7 +202,7 @@ def main():
     runs = "--without-runs" not in sys.argv
     work = build / ("docs-work" if runs else "docs-quick")
     source = work / "source"
-    # What an earlier build left of a page may stand against what is there now.
+    # Remains of an earlier build of a page may conflict with the present one.
     for earlier in (source, work / "doctrees"):
         shutil.rmtree(earlier, ignore_errors=True)
     tutorials.environment(build)

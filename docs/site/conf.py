@@ -1,4 +1,4 @@
-"""How Sphinx makes the site of what build.py has laid out."""
+"""Settings of Sphinx for the sources that build.py has written."""
 
 import os
 from pathlib import Path
@@ -17,7 +17,7 @@ myst_enable_extensions = ["dollarmath", "html_image"]
 myst_heading_anchors = 4
 myst_update_mathjax = False
 
-# Debian's MathJax, of which build.py copies what formulas need: no network is asked.
+# Debian's MathJax; build.py copies its files that formulas need, so that no network is used.
 mathjax_path = "mathjax/MathJax.js?config=TeX-AMS_CHTML"
 mathjax2_config = {"messageStyle": "none", "showMathMenu": False, "CommonHTML": {"linebreaks": {"automatic": True}}}
 
@@ -27,7 +27,7 @@ breathe_domain_by_extension = {"h": "c"}
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
 autodoc_typehints_format = "short"
-autodoc_type_aliases = {"ArrayLike": "ArrayLike"}  # and not all that NumPy takes for an array
+autodoc_type_aliases = {"ArrayLike": "ArrayLike"}  # the alias, not the long union that it names
 
 smartquotes = False
 c_extra_keywords = ["bool"]  # "imaginary" is the name of a member
@@ -38,9 +38,9 @@ html_static_path = ["static"]
 html_css_files = ["site.css"]
 html_copy_source = False
 html_show_sphinx = False
-# Summaries of what the search finds would be fetched from the pages, which browsers refuse to a site on disk.
+# Summaries of search results would be fetched from the pages, which browsers forbid for a site on disk.
 html_show_search_summary = False
 html_theme_options = {"navigation_with_keys": True}
-# Of those that Pygments has, two whose comments can be read: a contrast above 4.5.
+# Two styles of Pygments whose comments are readable: a contrast above 4.5.
 pygments_style = "default"
 pygments_dark_style = "github-dark"

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""What Doxygen reads of a header:  header_filter.py FILE
+"""Filters a header for Doxygen:  header_filter.py FILE
 
-The headers are written to be read, and some of their habits are not Doxygen's: the first comment of a file is about the
-file, one that stands behind several members of a line is about all of them, and the one below it is about the next.
-Names of fields say what they are themselves.
+Some comments of the headers follow other rules than Doxygen's. The first comment of a file is about the file. A comment
+behind several members of one line is about all of them, and the comment below it is about the next member. Constants of
+field names have no comment: the name itself becomes their text.
 """
 
 import re
@@ -14,7 +14,7 @@ SEVERAL = re.compile(r"^(\s+)((?:const )?(?:struct )?\w+) (\**\w+(?:\[\w+\])*(?:
 
 
 def comment_behind(lines, at):
-    """The lines of a comment that goes on below the member it stands behind."""
+    """Returns the lines of a comment that begins behind a member and continues below it."""
     end = at + 1
     while end < len(lines) and re.match(r"\s+///<", lines[end]):
         end += 1
@@ -29,7 +29,7 @@ def comment_before(lines):
 
 
 def apart(lines):
-    """A comment behind a member is not gone on with by the one before the next."""
+    """Separates the comment behind a member from the comment before the next member."""
     for line, following in zip(lines, [*lines[1:], ""]):
         yield line
         if "///<" in line and re.match(r"\s+///(?!<)", following):
@@ -37,7 +37,7 @@ def apart(lines):
 
 
 def separate(lines):
-    """One member a line, each with the comment of them all."""
+    """Puts each of several members on its own line, with their common comment."""
     out = []
     at = 0
     while at < len(lines):

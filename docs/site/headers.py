@@ -1,4 +1,4 @@
-"""The C reference: one page a public header, its symbols in the order in which they stand there."""
+"""The C reference: one page for each public header, with its symbols in the order of the header."""
 
 import re
 import shutil
@@ -13,7 +13,7 @@ DIRECTIVES = {"function": "doxygenfunction", "typedef": "doxygentypedef", "enum"
 
 
 def run_doxygen(folders, folder):
-    """Writes folder/xml of the headers in whirl/ of `folders`; raises an error with what Doxygen found missing."""
+    """Writes folder/xml for the headers in whirl/ of `folders`; raises an error that lists undocumented symbols."""
     folder.mkdir(parents=True, exist_ok=True)
     inputs = " ".join(f'"{include}/whirl"' for include in folders)
     settings = (HERE / "Doxyfile").read_text() + (
@@ -25,7 +25,7 @@ def run_doxygen(folders, folder):
 
 
 def code_text(element):
-    """The text of a listing: its blanks are elements."""
+    """Returns the text of a listing, whose blanks are elements of the XML."""
     if element.tag == "sp":
         return " " + (element.tail or "")
     inner = (element.text or "") + "".join(code_text(child) for child in element)
@@ -33,7 +33,7 @@ def code_text(element):
 
 
 def blocks_of(paragraph):
-    """Words and listings of a paragraph, in their order."""
+    """Returns words and listings of a paragraph, in their order."""
     words = paragraph.text or ""
     for child in paragraph:
         inner = "".join(child.itertext())
@@ -48,7 +48,7 @@ def blocks_of(paragraph):
 
 
 def text_of(element):
-    """The paragraphs of a description as reStructuredText."""
+    """Returns the paragraphs of a description as reStructuredText."""
     paragraphs = element.findall("para") if element is not None else []
     return "\n\n".join(block for paragraph in paragraphs for block in blocks_of(paragraph) if block)
 
@@ -63,7 +63,7 @@ def indented(text):
 
 
 def constants(enumeration):
-    """The names of an enumeration that has none itself: constants."""
+    """Yields the constants of an enumeration without a name."""
     shared = description(enumeration)
     for value in enumeration.findall("enumvalue"):
         initializer = value.findtext("initializer", "").replace("=", "").strip()
@@ -72,7 +72,7 @@ def constants(enumeration):
 
 
 def project_of(xml, header, folder):
-    """Writes an index of one header, of which folder is made: Breathe goes through all of its index for each symbol."""
+    """Writes an index of one header to a new folder: Breathe searches its whole index for each symbol."""
     folder.mkdir(parents=True)
     compounds = {header.get("id")} | {inner.get("refid") for inner in header.findall("innerclass")}
     index = ElementTree.parse(xml / "index.xml")
@@ -85,7 +85,7 @@ def project_of(xml, header, folder):
 
 
 def symbols(xml, header, listed):
-    """Line and reStructuredText of every symbol of a header that is not in `listed`, names, to which these are added."""
+    """Yields line and reStructuredText of every symbol of a header that is not in `listed`, and adds it to that set."""
     project = header.findtext("compoundname")
     for inner in header.findall("innerclass"):
         compound = ElementTree.parse(xml / f"{inner.get('refid')}.xml").getroot()[0]
@@ -108,22 +108,22 @@ def symbols(xml, header, listed):
 
 INDEX = """# C API
 
-One page a public header. `#include <whirl/whirl.h>` has those that are *stable*, which serve programs that were compiled
-with the headers of another version. `#include <whirl/engine.h>` has the engine behind them, too, whose structs grow: a
-program that uses it runs with libraries of the same minor version ([the ABI](../docs/abi.md)). What fails gives a
-`whirl_status` with a sentence.
+Each public header has a page. `#include <whirl/whirl.h>` includes the *stable* headers: programs that were compiled
+with them run with later versions of the library. `#include <whirl/engine.h>` includes the headers of the engine, too,
+whose structs grow: a program that uses them runs with libraries of the same minor version ([the ABI](../docs/abi.md)).
+Every function that can fail returns a `whirl_status` with a sentence.
 
-What elements of your own are compiled with has [pages of its own](element/index.md).
+The headers for elements of your own have [other pages](element/index.md).
 """
 ELEMENTS = """# Headers for elements
 
-What [an element of your own](../../docs/elements.md) is compiled with, as it is installed in `whirl/element`. These
-headers are the library's own, and no more stable than an element is.
+An installation has these headers in `whirl/element`, to compile [elements of your own](../../docs/elements.md). They
+are internal headers of the library: compile an element again for every version.
 """
 
 
 def index_page(words, titles, entries):
-    """The words and a table of headers: its page, then what stands in the columns behind it."""
+    """Returns the text with a table of headers: the page, then the other columns."""
     heading = f"| {' | '.join(['header', *titles])} |\n|{'---|' * (len(titles) + 1)}\n"
     rows = "".join(f"| {{doc}}`whirl/{page}.h </api/{page}>` | {' | '.join(columns)} |\n" for page, *columns in entries)
     names = "\n".join(f"/api/{page}" for page, *_ in entries)
@@ -131,8 +131,8 @@ def index_page(words, titles, entries):
 
 
 def write_pages(xml, folder, projects):
-    """Gives the pages, without their suffix, each with its first sentence and "stable" where its interface is that; projects
-    becomes a folder of what Breathe reads, a folder a header."""
+    """Writes a page for each header. Returns the pages without their suffix, each with its first sentence and "stable"
+    if its interface is stable. `projects` gets one folder for each header, which Breathe reads."""
     pages, listed = [], set()
     shutil.rmtree(projects, ignore_errors=True)
     for path in sorted(xml.glob("*_8h.xml"), key=lambda path: (path.name.startswith("engine_2"), path.name)):

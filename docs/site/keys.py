@@ -1,4 +1,4 @@
-"""The reference of elements and keys (docs/reference/keys.md), what `whirl describe NAME` prints there as tables."""
+"""The reference of elements and keys (docs/reference/keys.md), with the output of `whirl describe NAME` as tables."""
 
 import re
 
@@ -7,21 +7,21 @@ COLUMNS = ["name", "symbol", "unit", "default", "range"]
 
 
 def escaped(text):
-    """Words as Markdown: signs mean themselves, but for those around names."""
+    """Escapes the signs of Markdown, except backticks around names."""
     parts = text.split("`")
     parts[::2] = [re.sub(r"([*_$<\[\]\\|])", r"\\\1", part) for part in parts[::2]]
     return "`".join(parts)
 
 
 def cells(line, starts):
-    """The words of a row that begin where those of the heading do."""
+    """Returns the cells of a row, which begin in the columns of the heading."""
     ends = [*starts[1:], None]
     return [line[start:end].strip() for start, end in zip(starts, ends)]
 
 
 def row(values, meaning):
     name, symbol, unit, default, bounds = values
-    # With blanks at which no line is broken: "N s/m".
+    # With no-break spaces, so that "N s/m" stays on one line.
     unbroken = [escaped(word).replace(" ", "\u00a0") for word in (symbol, unit, default, bounds)]
     if "|" in bounds:
         unbroken[-1] = ", ".join(f"`{word}`" for word in bounds.split("|"))
@@ -30,7 +30,7 @@ def row(values, meaning):
 
 
 def table(lines):
-    """A heading and rows of two or more lines each: the columns, then what the key means."""
+    """Returns a table of keys. Each row has two or more lines: the columns, then the meaning of the key."""
     starts = [lines[0].index(title) for title in COLUMNS]
     keys = []
     for line in lines[1:]:
@@ -43,7 +43,7 @@ def table(lines):
 
 
 def paragraphs(lines, name):
-    """What stands before the keys: a line each, that may go on with two blanks before it."""
+    """Returns the lines before the keys; a line that begins with two blanks continues the one before."""
     joined = []
     for line in lines:
         if line.startswith("  "):
@@ -55,7 +55,7 @@ def paragraphs(lines, name):
 
 
 def described(block):
-    """A name with its keys; one that is two things, such as an element and an analysis, has both."""
+    """Returns the section of a name with its keys. A name with two meanings (an element and an analysis) has both."""
     out, name = [f"## {block[1]}"], block[1]
     for part in block[2].strip("\n").split("\n\n"):
         lines = part.split("\n")
@@ -64,7 +64,7 @@ def described(block):
 
 
 def page(text):
-    """docs/reference/keys.md as the site has it."""
+    """Returns docs/reference/keys.md in the form of the site."""
     made, count = BLOCK.subn(described, text)
     if count == 0 or "```" in made:
         raise RuntimeError("docs/reference/keys.md is not as docs/site/keys.py expects it")

@@ -1,4 +1,4 @@
-"""Pages that are made of what is no Markdown: cases, programs and headers of C, the man page."""
+"""Pages of files that are not Markdown: cases, programs and headers of C, the man page."""
 
 import re
 import shlex
@@ -13,20 +13,20 @@ def listing(path, language, title):
 
 
 def case_page(path):
-    """Cases have titles; claims of others have whose they are."""
+    """Returns the page of a case with its title, or of a claims file with its source."""
     said = yaml.safe_load(path.read_text())
     return listing(path, "yaml", f"{path.stem}: {said.get('title') or said['source']}")
 
 
 def first_sentence(text):
-    """What a file of C says of itself first."""
+    """Returns the first sentence of the comment at the head of a C file."""
     comment = re.match(r"(?://.*\n)*", text)[0]
     words = " ".join(line.lstrip("/").strip() for line in comment.splitlines())
     return re.match(r".*?(?:\.(?= |$)|$)", words)[0]
 
 
 def program_page(path):
-    """A long sentence names the program by what stands before its colon."""
+    """Returns the page of a program. Of a long first sentence the part before the colon is the title."""
     subject = first_sentence(path.read_text()).rstrip(".")
     if len(subject) > LONG_TITLE:
         subject = subject.partition(":")[0]
@@ -46,7 +46,7 @@ FONTS = {"B": "**", "I": "*"}
 
 
 def plain(text):
-    """A text of the manual page without what troff needs, as Markdown."""
+    """Converts a text of the manual page from troff to Markdown."""
     text = text.replace("\\-", "-").replace("\\&", "").replace("\\(aq", "'").replace("\\e", "\\\\")
     text = re.sub(r"([<>*_\[\]$])", r"\\\1", text)
     text = re.sub(r"\\f([BI])(.*?)\\f[RP]", lambda part: FONTS[part[1]] + part[2] + FONTS[part[1]], text)
@@ -54,7 +54,7 @@ def plain(text):
 
 
 def in_fonts(macro, line):
-    """The arguments of .BR and its like, whose fonts take turns; of .B and .I all of them."""
+    """Returns the arguments of a font macro: .BR and the like alternate two fonts, .B and .I have one."""
     words = shlex.split(line.replace("\\", "\\\\").replace("'", "\\'"), comments=False)
     if len(macro) == 1:
         words = [" ".join(words)]
@@ -64,12 +64,12 @@ def in_fonts(macro, line):
         bare = word.strip()
         lead, trail = word[: len(word) - len(word.lstrip())], word[len(word.rstrip()) :]
         out += lead + (mark + plain(bare) + mark if bare and mark else plain(bare)) + trail
-    # Two fonts that touch need a sign between their marks that nobody sees.
+    # Two adjacent fonts need an invisible sign between their marks.
     return re.sub(r"(\*+)(?=[^\s*]*\1[^\s*])", r"\1", out)
 
 
 def manual_page(text):
-    """The man page (docs/whirl.1) as Markdown: the macros of man(7) that it uses."""
+    """Converts the man page (docs/whirl.1), with the macros of man(7) that it uses, to Markdown."""
     out, tagged = ["# whirl(1), the man page\n"], None
     for line in text.splitlines():
         macro, _, rest = line.partition(" ")

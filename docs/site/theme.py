@@ -1,8 +1,8 @@
-"""What Debian's furo lacks so that its pages work as files: one classic script, no absolute path, dark colours for all.
+"""Changes of Debian's furo theme by which its pages work as files on disk.
 
-Its script is a module, which browsers load from no file; its style sheet imports normalize.css by a path of Debian's
-web servers, and has dark colours for readers who ask the page for them, not for those whose system is dark. Files of
-the same name in the site's static folder take the place of the theme's.
+The theme's script is a module, which browsers do not load from a file: here it is one classic script. Its style sheet
+imports normalize.css by a path of Debian's web servers, and has dark colours only for readers who choose them on the
+page, not for those whose system is dark. Files in the site's static folder replace files of the theme by name.
 """
 
 import re
@@ -17,7 +17,7 @@ DARK = re.compile(r'^  body\[data-theme="dark"\] \{.*?^    body\[data-theme="dar
 
 
 def one_script(scripts):
-    """The script with the module that it imports before it, in a scope of their own; as it is where it imports none."""
+    """Returns the script with the module that it imports, in a scope of their own; unchanged without imports."""
     text = (scripts / "furo.js").read_text()
     imported = re.search(r'^import \w+ from "\./([\w-]+\.js)";\n', text, re.MULTILINE)
     if not imported:
@@ -26,7 +26,7 @@ def one_script(scripts):
 
 
 def dark_where_the_system_is(style):
-    """The style sheet with the dark colours a second time: for pages that are told neither light nor dark."""
+    """Returns the style sheet with the dark colours a second time, for pages without a choice of light or dark."""
     if "prefers-color-scheme" in style:
         return style
     colours = DARK.search(style)
@@ -37,7 +37,7 @@ def dark_where_the_system_is(style):
 
 
 def lay_out(static):
-    """Writes the files that take the theme's place."""
+    """Writes the files that replace those of the theme."""
     (static / "scripts").mkdir(parents=True, exist_ok=True)
     (static / "styles").mkdir(exist_ok=True)
     (static / "scripts/furo.js").write_text(one_script(PARTS / "scripts"))

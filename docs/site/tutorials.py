@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Tutorials are Markdown whose blocks of code are the cells of a notebook:  tutorials.py BUILD FILE...
+"""Runs tutorials: Markdown whose blocks of code are the cells of a notebook:  tutorials.py BUILD FILE...
 
     ```python   is a cell
     ```sh       is a cell of commands (%%bash); one that fails ends the tutorial
@@ -7,7 +7,7 @@
     ```yaml     (octave) that begins with "# file: NAME" ("% file: NAME") writes that file
     all others  are shown
 
-Pictures of images/tutorials stand in the text for whoever reads it as it is; a notebook draws them itself.
+Pictures of images/tutorials are for readers of the Markdown; a notebook draws them itself.
 
 Runs every tutorial in a fresh folder with BUILD/whirl on the PATH, and says which cell fails. build.py puts what cells
 print and draw into the site.
@@ -27,14 +27,14 @@ from nbclient.exceptions import CellExecutionError
 ROOT = Path(__file__).resolve().parents[2]
 FENCE = re.compile(r"^```(python|sh|octave|yaml)\n(.*?)^```\n", re.MULTILINE | re.DOTALL)
 PICTURE = re.compile(r"^!\[[^\]]*\]\(\.\./images/tutorials/[^)]*\)\n", re.MULTILINE)
-# Octave 7.3 says this of itself as it ends, whatever it was told to do.
+# Octave 7.3 prints this when it ends, independent of its commands.
 OCTAVE_EXIT = "error: ignoring const execution_exception& while preparing to exit\n"
 COLOUR = re.compile(r"\x1b\[[0-9;]*m")
 MAGIC = {"python": "", "sh": "%%bash -e\n", "octave": "%%script octave-cli --no-gui --quiet\n"}
 
 
 def cell_source(language, code):
-    """What a notebook holds of a block; None where it is no cell."""
+    """Returns the cell for a block, or None if the block is no cell."""
     named = re.match(r"[#%] file: (\S+)\n", code)
     if named:
         return f"%%writefile {named[1]}\n{code[named.end():]}"
@@ -42,7 +42,7 @@ def cell_source(language, code):
 
 
 def read_notebook(text):
-    """The notebook of a tutorial."""
+    """Returns the notebook of a tutorial."""
     notebook = nbformat.v4.new_notebook()
     notebook.metadata.kernelspec = {"name": "python3", "display_name": "Python 3", "language": "python"}
     text, begin = PICTURE.sub("", text), 0
@@ -65,7 +65,7 @@ def read_notebook(text):
 
 
 def environment(build):
-    """The command and the Python package of this build, for the cells; one thread each, so that all may run at once."""
+    """Sets the environment of cells: command and Python package of this build, and one thread, to run all at once."""
     build = Path(build).resolve()
     os.environ["PATH"] = f"{build}:/usr/bin:{os.environ['PATH']}"
     os.environ["PYTHONPATH"] = str(ROOT / "bindings/python")
@@ -77,7 +77,7 @@ def environment(build):
 
 
 def execute(notebook):
-    """Runs all cells in a folder of their own; raises CellExecutionError."""
+    """Runs all cells in a new folder; raises CellExecutionError if one fails."""
     with tempfile.TemporaryDirectory() as folder:
         client = NotebookClient(notebook, timeout=300, kernel_name="python3",
                                 resources={"metadata": {"path": folder}})
@@ -88,7 +88,7 @@ def execute(notebook):
 
 
 def together(outputs):
-    """Outputs where what was printed in pieces is one, without what no cell has printed."""
+    """Joins outputs that were printed in pieces, and leaves out output that no cell has printed."""
     joined = []
     for output in outputs:
         last = joined[-1] if joined else None
@@ -103,13 +103,13 @@ def together(outputs):
 
 
 def printed(notebook):
-    """What the cells printed, for whoever looks for the reason of a failure."""
+    """Returns the output of all cells, to find the reason of a failure."""
     return "".join(output.text for cell in notebook.cells for output in cell.get("outputs", [])
                    if output.output_type == "stream")
 
 
 def shown(output, picture):
-    """An output as Markdown; `picture` is the path at which one may be written."""
+    """Returns an output as Markdown; `picture` is the path for a picture of it."""
     if output.output_type == "stream":
         return f"```{{code-block}} none\n:class: output\n\n{output.text.rstrip()}\n```\n"
     data = output.get("data", {})
@@ -122,7 +122,7 @@ def shown(output, picture):
 
 
 def block(cell):
-    """The block of a tutorial that a cell was made of."""
+    """Returns the block of a tutorial from which a cell was made."""
     language = cell.metadata.language
     named = re.match(r"%%writefile (\S+)\n", cell.source)
     if not named:
@@ -132,7 +132,7 @@ def block(cell):
 
 
 def page(notebook, folder, name):
-    """A tutorial with what its cells gave, as Markdown; writes pictures and the notebook beside it."""
+    """Returns a tutorial with the output of its cells, as Markdown; writes pictures and the notebook next to it."""
     parts = []
     for number, cell in enumerate(notebook.cells):
         if cell.cell_type == "markdown":

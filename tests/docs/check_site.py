@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""Targets of links and pictures of a site exist; it loads nothing from other sites, nor what browsers load from no file
-(modules of JavaScript):  check_site.py SITE"""
+"""Checks a site: targets of links and pictures exist, and pages load nothing from other sites, and no JavaScript
+modules, which browsers do not load from files:  check_site.py SITE"""
 
 import re
 import sys
@@ -12,7 +12,7 @@ LOADS = {("script", "src"), ("img", "src"), ("link", "href"), ("iframe", "src")}
 
 
 class Page(HTMLParser):
-    """Anchors of a page, its links, and the files that it loads."""
+    """Returns anchors of a page, its links, and the files that it loads."""
 
     def __init__(self, path):
         super().__init__()
@@ -45,7 +45,7 @@ def problems(site, pages):
 
 
 def problems_of_parts(site):
-    """Files that style sheets and scripts load in their turn."""
+    """Returns files that style sheets and scripts load in turn."""
     for path in site.glob("_static/**/*.css"):
         for target in re.findall(r"url\(['\"]?(?!data:)([^'\")]+)", path.read_text(encoding="utf-8")):
             if urlsplit(target).netloc or target.startswith("/") or not (path.parent / target).is_file():
@@ -56,7 +56,7 @@ def problems_of_parts(site):
 
 
 def problems_of_search(site):
-    """The search fetches nothing, which browsers refuse to pages on disk: its index is a script, summaries are off."""
+    """Checks that the search fetches nothing, which browsers forbid for pages on disk: its index is a script."""
     if "searchindex.js" not in Page(site / "search.html").loaded or not (site / "searchindex.js").is_file():
         yield "search.html does not load its index as a script"
     options = site / "_static/documentation_options.js"
@@ -66,7 +66,7 @@ def problems_of_search(site):
 
 def main():
     site = Path(sys.argv[1]).resolve()
-    # Explorers are pages of their own, with tests of their own.
+    # Explorers have other tests.
     pages = {path: Page(path) for path in site.rglob("*.html") if "_downloads" not in path.parts}
     found = sorted({*problems(site, pages), *problems_of_parts(site), *problems_of_search(site)})
     print("\n".join(found))

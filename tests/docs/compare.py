@@ -1,12 +1,12 @@
-"""Every line that a document shows begins a line that was printed, numbers within a tolerance:  compare.py SHOWN PRINTED
+"""Checks that every shown line begins a printed line, numbers within a tolerance:  compare.py SHOWN PRINTED
 
-Runs of blanks count as one, " ..." at the end stands for the rest of a line and "..." for any lines. Words must be the same,
-P-2 among them. Numbers may differ by what a processor's rounding or a statistical error makes of them and no more:
+Runs of blanks count as one. " ..." at the end replaces the rest of a line, and "..." any lines. Words, such as P-2, must
+be the same. Numbers may differ by the effect of a processor's rounding or by a statistical error:
   41       whole numbers: by 1 (a point at the edge of a regime) or a fiftieth
   0.9167   others: by a fiftieth or two units of their last digit
-  1.7e-15  below 1e-8, what rounding leaves: within a factor of 1000
+  1.7e-15  below 1e-8, the level of rounding: within a factor of 1000
   v +- e   v by five of its errors as well, e within a factor of 3
-JSON is compared value by value: keys that the document shows must be there, "..." in it stands for what it leaves out.
+JSON is compared value by value: keys that the document shows must exist, and "..." in it replaces omitted parts.
 With "numbers vary" in the first line of the commands (SHOWN's third argument) only words are compared.
 """
 import json
@@ -17,13 +17,13 @@ NUMBER = re.compile(r"(?<![A-Za-z0-9_.-])[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![A-Z
 
 
 def split(line):
-    """The words between numbers, and the numbers as they are written."""
+    """Returns the words between numbers, and the numbers as written."""
     line = " ".join(line.split())
     return NUMBER.split(line), NUMBER.findall(line)
 
 
 def last_digit(text):
-    """The size of a unit of the last digit that is written."""
+    """Returns the size of a unit of the last written digit."""
     mantissa, _, exponent = text.partition("e")
     decimals = len(mantissa.partition(".")[2])
     return 10.0 ** (int(exponent or 0) - decimals)
@@ -40,7 +40,7 @@ def near(shown, printed, error):
 
 
 def errors_of(words, numbers):
-    """For each number the standard error that stands behind it, or None, and whether it is one itself."""
+    """Returns for each number the standard error written after it, or None, and whether it is such an error itself."""
     behind = [None] * len(numbers)
     is_error = [False] * len(numbers)
     for i in range(len(numbers) - 1):
@@ -73,11 +73,11 @@ def agree(shown, printed, compare_numbers):
 
 
 class Figures(str):
-    """A number of a JSON document, as it is written."""
+    """A number of a JSON document, as written."""
 
 
 def differences(shown, printed, path):
-    """Places where the document differs from the printed output."""
+    """Returns the places where the document differs from the printed output."""
     if isinstance(shown, dict):
         if not isinstance(printed, dict):
             yield f"{path} is no object"

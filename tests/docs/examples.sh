@@ -1,25 +1,25 @@
 #!/bin/bash
-# Runs what the documents show:  examples.sh ROOT BUILD DOCUMENT...
+# Runs the examples of documents:  examples.sh ROOT BUILD DOCUMENT...
 #
-# Of the user guide (guide:2-4, chapters of docs/guide) and of how to write an element (elements), in the
-# order in which they stand and in one fresh folder, with an installed whirl on the PATH:
+# It runs blocks of the user guide (guide:2-4, chapters of docs/guide) and of docs/elements.md (elements), in their
+# order and in one fresh folder, with an installed whirl on the PATH:
 #   ```yaml, c, cmake  with "tested: FILE" in the first line are written to FILE; a case must pass `whirl check`,
 #                      unless ", not good" follows
-#   ```sh              with "# tested" in the first line are run; the exit status is 0, or the one said there:
+#   ```sh              with "# tested" in the first line are run; the exit status must be 0, or the one given there:
 #                      "# tested, exit status 2"
-#   ```python, octave  with "tested" in the first line are run, Octave where it is installed, Python with the package
+#   ```python, octave  with "tested" in the first line are run, Octave if it is installed, Python with the package
 #                      whirl of the sources
-#   ```text            is what the block before prints: each of its lines must begin a line there, numbers within a
+#   ```text            is the output of the block before: each line must begin a line of it, with numbers within a
 #                      tolerance (compare.py); "# tested, numbers vary" before it leaves these out
-#   ```json            is what the last point.json holds
-# Blocks whose first line says "needed later" are run for the chapters behind theirs, too.
+#   ```json            is the content of the last point.json
+# Blocks whose first line says "needed later" are run for later chapters, too.
 # Of README.md (readme): every command that starts with build/whirl, with shorter cases, and every case.
 # Links of all documents to files of the repository (links) must lead somewhere.
 set -u
 script=$(realpath "$0")
 root=$(realpath "$1")
 build=$(realpath "$2")
-# Debian's own Python is the one that Debian's h5py belongs to.
+# Debian's h5py works with Debian's own Python alone.
 python=$([ -x /usr/bin/python3 ] && echo /usr/bin/python3 || echo python3)
 
 folder=$(mktemp -d)
@@ -40,7 +40,8 @@ fail() {
     failures=$((failures + 1))
 }
 
-# Blocks of a document as files: NUMBER.LANGUAGE in the order in which they stand; of chapters, or needed by them.
+# Writes blocks of a document to files NUMBER.LANGUAGE, numbered in their order: those of chapters, and those that
+# chapters need.
 extract() { # DOCUMENT FOLDER [FIRST-CHAPTER LAST-CHAPTER]
     awk -v folder="$2" -v first="${3:-0}" -v last="${4:-99}" '
         /^##? [0-9]+\. / && !inside { chapter = $2 + 0 }
@@ -51,7 +52,7 @@ extract() { # DOCUMENT FOLDER [FIRST-CHAPTER LAST-CHAPTER]
         inside && wanted  { print >file }' <(cat "$root/docs/$1.md" 2>/dev/null || cat "$root/docs/$1"/[0-9]*.md)
 }
 
-# Every line that the document shows begins a line that was printed.
+# Checks that every line of the document begins a printed line.
 compare() { # BLOCK OUTPUT FIRST-LINE-OF-THE-COMMANDS
     local differences
     differences=$(python3 "$(dirname "$script")/compare.py" "$1" "$2" "$3") || fail "${1##*/} $differences"

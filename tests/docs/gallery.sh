@@ -1,5 +1,5 @@
 #!/bin/bash
-# `make gallery` builds the page of every case that docs/gallery.md shows, and every page that documents name:
+# Checks that `make gallery` builds the page of every case of docs/gallery.md, and every page that documents name:
 #   gallery.sh ROOT
 set -euo pipefail
 cd "$1"

@@ -1,9 +1,9 @@
 #!/bin/bash
-# The documentation as a site:  site.sh ROOT BUILD site | tutorial NAME
-#   site      builds without a warning, from headers of which no symbol lacks a comment; its links and pictures lead
-#             somewhere, and it asks no other computer for anything (the tutorials stand there without what they print)
-#   tutorial  the code of docs/tutorials/NAME.md runs, and what its text claims holds
-# Skipped where packages are missing (scripts/install-dependencies.sh docs), but not in continuous integration.
+# Tests the documentation site:  site.sh ROOT BUILD site | tutorial NAME
+#   site      builds without a warning, and every symbol of the headers has a comment; targets of links and pictures
+#             exist, and pages load nothing from other computers (tutorials are built without their output)
+#   tutorial  the code of docs/tutorials/NAME.md runs, and the claims of its text hold
+# Skipped if packages are missing (scripts/install-dependencies.sh docs), but not in continuous integration.
 set -euo pipefail
 root=$(realpath "$1")
 build=$(realpath "$2")
