@@ -31,7 +31,7 @@ enum {
     LEVER_FORCE_COS,
     LEVER_FORCE_SIN,
     LEVER_LOST_COS,
-    LEVER_LOST_SIN, ///< of the unbalances that have appeared alone
+    LEVER_LOST_SIN, ///< as own_cos and own_sin, for the unbalances that have appeared alone
     LEVER_NUMBERS
 };
 enum {
@@ -117,7 +117,7 @@ typedef struct running_rotor {
     whirl_system by_angle, by_time;
     whirl_lanes form;      ///< form of `together`
     whirl_system together; ///< by_angle in vector lanes, with the angle as time
-    running_lanes lanes;   ///< what its kernels know (running_lanes.c)
+    running_lanes lanes;   ///< rows of the numbers that the kernels of `together` read (running_lanes.c)
     double from;           ///< angle at which the current part of a revolution begins
 } running_rotor;
 

@@ -759,7 +759,7 @@ static runup_end runup_end_of(const runner *r, whirl_motion motion) {
 
 /// Returns the largest number of steps of a part by time at which its samples still show every step.
 static double runup_most_steps(const runner *r) {
-    // Where the machine has switches, a step is at most an eighth of its period, so a part of a period has at least 8.
+    // With switches a step is at most an eighth of the machine's period, so a part of a period has at least 8 steps.
     enum { SAMPLES_OF_STEP = 4, MIN_STEPS = 16 };
     return fmax(MIN_STEPS, (double)r->plan->options->samples / SAMPLES_OF_STEP);
 }

@@ -44,7 +44,7 @@ typedef struct matrix4 {
 /// is.
 typedef struct line_matrices {
     double stiffness;  ///< between its ends, N m/rad or N/m
-    double inertia[3]; ///< of left and left, left and right, right and right end, kg m2 or kg
+    double inertia[3]; ///< entries left-left, left-right and right-right for the two ends, kg m2 or kg
 } line_matrices;
 
 /// The matrices of a piece, SI.
