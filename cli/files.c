@@ -10,6 +10,7 @@
 
 #include "command.h"
 #include "output.h"
+#include "whirl/internal/arrays.h"
 #include "whirl/internal/input.h"
 
 enum { HEAD_SIZE = 4096 };
@@ -74,10 +75,10 @@ static int load(const char *path, whirl_status (*read)(const char *, whirl_resul
     return status.code == WHIRL_OK ? EXIT_DONE : status.code == WHIRL_NO_MEMORY ? EXIT_FAILED : EXIT_BAD_INPUT;
 }
 
-/// Returns true for the name of a table of numbers.
+/// Returns true for a table of numbers: its name ends with .csv, or it is an HDF5 file of another program.
 static bool is_record(const char *path) {
     const size_t length = strlen(path);
-    return length > 4 && strcmp(path + length - 4, ".csv") == 0;
+    return (length > 4 && strcmp(path + length - 4, ".csv") == 0) || arrays_is_foreign(path);
 }
 
 int load_result(const char *path, whirl_result **result) {

@@ -62,7 +62,8 @@ if(EXISTS "${sundials_header}")
 endif()
 set(libraries "HDF5 ${HDF5_VERSION}" "SUNDIALS ${sundials_version}" "libyaml ${YAML_VERSION}"
     "muParser ${MUPARSER_VERSION}" "UDUNITS ${UDUNITS_VERSION}" "Jansson ${JANSSON_VERSION}"
-    "OpenMP ${OpenMP_C_VERSION}" "Eigen ${EIGEN_VERSION}" "toml++ ${TOML_VERSION}" "matio ${MATIO_VERSION}")
+    "OpenMP ${OpenMP_C_VERSION}" "Eigen ${EIGEN_VERSION}" "toml++ ${TOML_VERSION}" "matio ${MATIO_VERSION}"
+    "zlib ${ZLIB_VERSION}")
 list(JOIN libraries ", " BUILD_LIBRARIES)
 
 configure_file(${CMAKE_CURRENT_LIST_DIR}/build_info.h.in ${folder}/build_info.h @ONLY)

@@ -33,7 +33,7 @@ install(DIRECTORY cases DESTINATION ${CMAKE_INSTALL_DATADIR}/whirl FILES_MATCHIN
 
 # The static library leaves its own libraries to the program that links it: those that have a pkg-config file by that
 # name, the others as linker options.
-set(WHIRL_STATIC_MODULES hdf5-serial yaml-0.1 udunits muparser jansson matio)
+set(WHIRL_STATIC_MODULES hdf5-serial yaml-0.1 udunits muparser jansson matio zlib)
 set(WHIRL_STATIC_OPTIONS "")
 get_target_property(sundials SUNDIALS::CVODES INTERFACE_LINK_LIBRARIES)
 foreach(file ${sundials})

@@ -14,7 +14,7 @@ declare -A packages=(
     # that link it statically.
     [build]="build-essential cmake ninja-build pkg-config git libsundials-dev libhdf5-dev libyaml-dev
              libudunits2-dev libexpat1-dev libmuparser-dev libjansson-dev libeigen3-dev
-             libtomlplusplus-dev libmatio-dev"
+             libtomlplusplus-dev libmatio-dev zlib1g-dev"
     [report]="gnuplot-nox weasyprint"
     [python]="python3-cffi python3-numpy python3-h5py python3-matplotlib python3-pandas python3-xarray python3-tqdm
               python3-pip python3-setuptools python3-wheel python3-pytest python3-numba"

@@ -23,9 +23,9 @@ declare -A below=(
     [orbit]="system.h ensemble.h integrate.h linear.h orbit.h stable_orbits.h branch.h torus.h torus_branch.h"
     [analyze]="fit.h fit_columns.h system.h torsion.h running.h ensemble.h integrate.h linear.h orbit.h stable_orbits.h record.h analyze.h spectrum.h response_peaks.h signals.h balance.h sensors.h dataset.h tolerances.h"
     [study]="fit.h running.h film_tables.h bearing.h bearing_table.h system.h ensemble.h integrate.h linear.h orbit.h analyze.h result.h handles.h study.h study_try.h sensitivity.h verify.h shown.h tolerances.h spread.h sensors.h dataset.h"
-    [case]="csv.h measured.h fit.h running.h system.h ensemble.h rotor.h model.h line.h bearing.h bearing_table.h integrate.h linear.h analyze.h result.h study.h case.h claims.h job.h balance.h tolerances.h sensitivity.h spread.h sensors.h dataset.h"
+    [case]="arrays.h csv.h measured.h fit.h running.h system.h ensemble.h rotor.h model.h line.h bearing.h bearing_table.h integrate.h linear.h analyze.h result.h study.h case.h claims.h job.h balance.h tolerances.h sensitivity.h spread.h sensors.h dataset.h"
     [user]="csv.h system.h integrate.h analyze.h result.h handles.h study.h case.h job.h user_system.h signals.h"
-    [store]="system.h integrate.h analyze.h result.h handles.h study.h journal.h shown.h tolerances.h dataset.h"
+    [store]="arrays.h descriptor.h system.h integrate.h analyze.h result.h handles.h study.h journal.h shown.h tolerances.h dataset.h"
     [import]="system.h rotor.h case.h import.h"
     [report]="fit.h fit_columns.h torsion.h bearing.h bearing_table.h line.h linear.h system.h integrate.h analyze.h spectrum.h response_peaks.h result.h handles.h study.h verify.h case.h model.h claims.h job.h report.h figure.h findings.h shown.h balance.h tolerances.h sensitivity.h spread.h dataset.h"
 )
@@ -84,6 +84,7 @@ only_in() { # LAYERS PATTERN
 }
 only_in store 'H5|hdf5'
 only_in store 'matio'
+only_in store 'zlib'
 only_in case 'yaml\.h'
 only_in case 'udunits2'
 only_in case 'muParser'
@@ -121,7 +122,7 @@ system_only_in sys/wait.h $process
 system_only_in sys/mman.h base/mapped.c
 system_only_in sys/utsname.h study/result/provenance.c
 known='assert|complex|ctype|errno|float|inttypes|limits|math|setjmp|stdalign|stdarg|stdatomic|stdbool|stddef|stdint|stdio|stdlib|string'
-known+='|pthread|time|fcntl|sys/stat|unistd|dirent|sys/file|sys/wait|sys/mman|sys/utsname|immintrin|emmintrin|omp|jansson|yaml|udunits2|muParserDLL|matio|zip'
+known+='|pthread|time|fcntl|sys/stat|unistd|dirent|sys/file|sys/wait|sys/mman|sys/utsname|immintrin|emmintrin|omp|jansson|yaml|udunits2|muParserDLL|matio|zlib|zip'
 while read -r line; do
     [ -n "$line" ] && fail "$line: a system header that this test does not know"
 done < <(grep -rE '#include <[a-z0-9_A-Z/]+\.h>' src --include=*.c --include=*.h | grep -vE "<($known)\.h>|<(hdf5|H5[A-Za-z]*|cvodes/|nvector/|sun[a-z]*/)")

@@ -251,7 +251,7 @@ static void label_text(const case_content *content, const whirl_label *label, ch
 static void channel_number(char *text, size_t size, const char *before, double number, const char *unit) {
     const size_t used = strlen(text);
     if (number != 0.0 && isfinite(number))
-        snprintf(text + used, size - used, ", %s%.6g%s%s", before, number, *unit ? " " : "", unit);
+        snprintf(text + used, size - used, ", %s%.9g%s%s", before, number, *unit ? " " : "", unit);
 }
 
 /// Describes a channel: "front [V]: proximity at disc, direction 0 deg, 7870 V/m, gap 0.001 m".

@@ -8,11 +8,13 @@
 #include <string.h>
 
 #include "fit_list.h"
+#include "fit_record.h"
 #include "fit_speed.h"
 #include "input.h"
 #include "problem.h"
 #include "tree.h"
 #include "two_pi.h"
+#include "whirl/internal/arrays.h"
 
 enum { FIT_INSTANTS = 64, FIT_MAX_ORDER = 64, FIT_PATH = 4096 };
 
@@ -231,7 +233,7 @@ static whirl_status fit_take_samples(fit_maker *m, size_t angle) {
 /// Adds the displacements over the time of one motion.
 static whirl_status fit_take_waveform(fit_maker *m, size_t time) {
     enum { INSTANTS = 256 };
-    whirl_status status = fit_add_motion(m, m->at_count, m->at, 0.0, INSTANTS);
+    whirl_status status = fit_add_motion(m, m->at_count, m->at, m->speed, INSTANTS);
     for (size_t i = 0; i < m->table.count && status.code == WHIRL_OK; i++)
         for (size_t c = 0; c < m->table.column_count && status.code == WHIRL_OK; c++)
             if (m->columns[c].kind == FIT_DISPLACEMENT)
@@ -372,44 +374,59 @@ static whirl_status fit_take_table(fit_maker *m, const fit_set *set) {
     return vectors ? fit_take_vectors(m, along) : fit_take_samples(m, along);
 }
 
-/// Returns the kind of a file that only other languages read, by the end of its name; NULL for all others.
-static const char *fit_foreign_kind(const char *name) {
-    static const struct {
-        const char *end, *kind;
-    } kinds[] = {{".h5", "HDF5"},
-                 {".hdf5", "HDF5"},
-                 {".mat", "MATLAB's format"},
-                 {".uff", "the universal format"},
-                 {".unv", "the universal format"}};
+/// Returns true for a name that ends as one of a list does, in letters of any size; the list ends with NULL.
+static bool fit_ends_with(const char *name, const char *const *ends) {
     const char *dot = strrchr(name, '.');
-    for (size_t i = 0; i < sizeof kinds / sizeof *kinds && dot; i++) {
+    for (; dot && *ends; ends++) {
         size_t k = 0;
-        while (dot[k] && tolower((unsigned char)dot[k]) == kinds[i].end[k]) k++;
-        if (!dot[k] && !kinds[i].end[k]) return kinds[i].kind;
+        while (dot[k] && tolower((unsigned char)dot[k]) == (*ends)[k]) k++;
+        if (!dot[k] && !(*ends)[k]) return true;
     }
-    return NULL;
+    return false;
+}
+
+/// Reads the columns of a file in HDF5 that the case chooses.
+static whirl_status fit_read_chosen(fit_maker *m, const fit_set *set, const char *path) {
+    csv_chosen chosen[FIT_MAX_COLUMNS];
+    size_t count = 0;
+    for (const file_node *one = set->columns->first; one; one = one->next)
+        chosen[count++] = (csv_chosen){one->key, one->text};
+    return csv_load_vectors(path, chosen, count, FIT_MAX_COLUMNS, &m->table);
 }
 
 whirl_status fit_table_read(fit_maker *m, const fit_set *set) {
+    static const char *const matlab[] = {".mat", NULL}, *const universal[] = {".uff", ".unv", NULL};
     char sentence[WHIRL_MESSAGE_SIZE];
     const char *name = set->file && set->file->kind == NODE_TEXT ? set->file->text : "";
-    const char *foreign = fit_foreign_kind(name);
-    if (foreign) {
-        snprintf(sentence, sizeof sentence,
-                 "%.100s is a file in %s, expected comma-separated values; in Python whirl.fit takes it, and "
-                 "whirl.read_measured reads it",
-                 name, foreign);
-        return fit_fail_at(m, set->file, sentence);
-    }
+    const setting *record = settings_find(&set->keys, "record");
     char *path = arena_take(m->reader->arena, FIT_PATH);
     if (!path) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a fit");
     if (!input_path_from(m->reader->problems->file, name, path, FIT_PATH)) {
         snprintf(sentence, sizeof sentence, "%.100s is too long for the path of a table", name);
         return fit_fail_at(m, set->file, sentence);
     }
-    whirl_status status = csv_load(path, FIT_MAX_COLUMNS, &m->table);
+    // Files of MATLAB from version 7.3 on are HDF5.
+    const bool arrays = arrays_is_file(path);
+    if (!arrays && (fit_ends_with(name, matlab) || fit_ends_with(name, universal))) {
+        snprintf(sentence, sizeof sentence,
+                 "%.100s is a file in %s, expected comma-separated values or HDF5; in Python whirl.fit takes it, and "
+                 "whirl.read_measured reads it",
+                 name, fit_ends_with(name, matlab) ? "MATLAB's format before 7.3" : "the universal format");
+        return fit_fail_at(m, set->file, sentence);
+    }
+    whirl_status status;
+    if (arrays && record) {
+        status = fit_record_read(m, set, path, (size_t)settings_number(m->v, &set->keys, "record"));
+    } else if (arrays && set->columns) {
+        status = fit_read_chosen(m, set, path);
+    } else {
+        status = csv_load(path, FIT_MAX_COLUMNS, &m->table);
+        if (status.code == WHIRL_OK && (record || set->columns))
+            status = fit_fail_at(m, record ? record->place : set->columns,
+                                 "is given for a table of comma-separated values, expected a file in HDF5");
+    }
     // A file that is not there has no places: the error is at its name in the case.
-    if (status.code == WHIRL_BAD_INPUT && m->table.column_count == 0 &&
+    if ((status.code == WHIRL_BAD_INPUT || status.code == WHIRL_IO_ERROR) && m->table.column_count == 0 &&
         strncmp(status.message, "cannot read", 11) == 0) {
         snprintf(sentence, sizeof sentence, "%s", status.message);
         status = fit_fail_at(m, set->file, sentence);

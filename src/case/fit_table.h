@@ -36,6 +36,7 @@ typedef struct fit_maker {
     csv_table table;
     fit_column columns[FIT_MAX_COLUMNS];
     const whirl_given *at; ///< parameters that the table gives
+    double speed;          ///< speed of a record where it is no parameter, rad/s; 0: that of the case
     size_t at_count;
     double noise;                           ///< standard deviation of its numbers, m; 1 if it is not given
     double channel_noise[FIT_MAX_CHANNELS]; ///< standard deviations of fit_set.channels, m

@@ -73,6 +73,32 @@ static void fit_read_noise(case_reader *reader, const setting *given, fit_set *o
     }
 }
 
+/// Reads the columns that are chosen from an HDF5 file: headings, each with its dataset.
+static void fit_read_columns(case_reader *reader, fit_set *out) {
+    const setting *columns = settings_find(&out->keys, "columns"), *record = settings_find(&out->keys, "record");
+    char shown[SHOWN_SIZE];
+    if (columns && record)
+        problem_at_key(reader->problems, columns->place, "is given together with record, whose columns are its probes");
+    if (!columns) return;
+    const file_node *where = columns->place;
+    if (where->kind != NODE_MAPPING || where->count == 0 || where->count > FIT_MAX_COLUMNS) {
+        problem_at(reader->problems, where,
+                   "is %s, expected 1 to %d headings, each with its dataset, such as disc x [um]: run/x",
+                   where->kind == NODE_MAPPING ? where->count ? "a longer list" : "empty" : node_shown(where, shown),
+                   FIT_MAX_COLUMNS);
+        return;
+    }
+    for (const file_node *one = where->first; one; one = one->next) {
+        if (strlen(one->key) >= CSV_TEXT)
+            problem_at_key(reader->problems, one, "is a heading of %zu bytes, expected at most %d", strlen(one->key),
+                           CSV_TEXT - 1);
+        if (one->kind != NODE_TEXT || node_is_null(one) || strlen(one->text) >= CSV_TEXT)
+            problem_at(reader->problems, one, "is %s, expected the path of a dataset, of at most %d bytes",
+                       node_shown(one, shown), CSV_TEXT - 1);
+    }
+    out->columns = where;
+}
+
 /// Reads a set of measured numbers: the name of a file, or a mapping with more.
 static void fit_read_set(case_reader *reader, const file_node *where, fit_set *out) {
     out->place = where;
@@ -86,6 +112,7 @@ static void fit_read_set(case_reader *reader, const file_node *where, fit_set *o
     const setting *file = settings_find(&out->keys, "file"), *at = settings_find(&out->keys, "at");
     const setting *noise = settings_find(&out->keys, "noise");
     if (file) out->file = file->place;
+    fit_read_columns(reader, out);
     fit_value_read(reader, out);
     if (noise) fit_read_noise(reader, noise, out);
     fit_value_check_keys(reader, out);
@@ -198,6 +225,7 @@ static bool fit_make_set(fit_maker *m, const fit_set *set, whirl_given *given) {
     const setting *noise = settings_find(&set->keys, "noise");
     m->at = given;
     m->at_count = set->at.count;
+    m->speed = 0.0;
     m->noise = set->channel_count > 0 ? 0.0 : 1.0;
     if (noise && set->channel_count == 0 && !fit_make_noise(m, &set->noise_key, noise->place, &set->noise, &m->noise))
         return false;

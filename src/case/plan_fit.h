@@ -30,6 +30,7 @@ typedef struct fit_channel {
 /// A table of measured numbers, or a single number.
 typedef struct fit_set {
     const file_node *place, *file; ///< place of the set in the case, and of a table's path; NULL after a problem
+    const file_node *columns;      ///< headings with datasets of an HDF5 file; NULL: its vectors
     setting_list keys;
     condition_parts at;             ///< parameters with their values in its motions
     whirl_key noise_key;            ///< unit and range of its noise

@@ -148,9 +148,10 @@ static const whirl_key resting_keys[] = {
 static const whirl_key fit_keys[] = {
     CHOICE_KEY("name", OPTIONAL, "", "name of this fit among several; its table is fit_NAME"),
     CHOICE_KEY("unknown", REQUIRED, "", "names of the unknown parameters, each with start, from and to, or nothing"),
-    CHOICE_KEY("data", REQUIRED, "",
-               "a table of measured numbers (CSV), or a list of them: paths from the folder of the case, or with `at` "
-               "and `noise`; or numbers such as onset: see fit_data"),
+    CHOICE_KEY(
+        "data", REQUIRED, "",
+        "a table of measured numbers (CSV or HDF5), or a list of them: paths from the folder of the case, or with "
+        "`at` and `noise`; or numbers such as onset: see fit_data"),
     WHOLE_KEY("starts", "", DEFAULT("1"), WHIRL_FROM_TO(1, 10000),
               "number of starts: the first at the values of start, the others spread evenly between the bounds, by the "
               "sequence of Halton"),
@@ -166,6 +167,12 @@ static const whirl_key fit_data_keys[] = {
     CHOICE_KEY("file", OPTIONAL, "",
                "path of the table: displacements of probes over `angle`, `turns` or `time`, or amplitudes and lags of "
                "orders over `speed` or a parameter"),
+    CHOICE_KEY("columns", OPTIONAL, "",
+               "file in HDF5: headings as in a table, each with its dataset (run/x), or a part of one with an index "
+               "that runs (run/signals[:, 2]); absent: all vectors, under their own names"),
+    WHOLE_KEY("record", "", OPTIONAL, WHIRL_FROM_TO(1, WHIRL_MAX_RECORDS),
+              "file of study: dataset: number of the record, whose proximity probes are the table; parameters have its "
+              "values, unless they are looked for or in `at`"),
     CHOICE_KEY(
         "compare", DEFAULT("orbit"), "orbit|statistics",
         "file: orbit: its motions are periodic; statistics: they may be any, and columns over `speed` or a "

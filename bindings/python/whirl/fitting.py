@@ -21,7 +21,7 @@ import numpy as np
 from .case import Case, _block
 from .errors import BadInput
 from .fields import FIELD
-from .measured import SUFFIXES, read_measured
+from .measured import HDF5, SUFFIXES, read_measured
 from .running import run
 
 if TYPE_CHECKING:
@@ -111,7 +111,7 @@ def _table_of(data: Any, folder: str, number: int) -> str:
         path = Path(data)
         if not path.is_file():
             raise BadInput(f"there is no table {str(data)!r} of measured numbers")
-        if path.suffix.lower() not in SUFFIXES:
+        if path.suffix.lower() not in SUFFIXES or path.suffix.lower() in HDF5:
             return str(path.resolve())
         data = read_measured(path)
     columns = {str(name): np.asarray(data[name], float) for name in data}
@@ -160,8 +160,9 @@ def fit(
         Measured numbers. {"onset": "5200 rpm", "noise": "50 rpm"} and the like are onsets of instability, critical
         speeds, frequencies and damping ratios of modes, with the keys of a case. All others are tables, whose headings
         say what a column is: "angle [deg]" or "time [s]" with "disc x [um]" for an orbit, "speed [rpm]" with
-        "disc x [um]" and "disc x lag [deg]" for orders (guide, chapter 18). Files are comma-separated values, or what
-        :func:`whirl.read_measured` reads.
+        "disc x [um]" and "disc x lag [deg]" for orders (guide, chapter 18). Files are comma-separated values, HDF5, or
+        what :func:`whirl.read_measured` reads. {"file": "run.h5", "columns": {"time [s]": "t", "disc x [um]":
+        "signals[:, 0]"}} chooses columns of an HDF5 file, {"file": "records.h5", "record": 17} a record of a data set.
     at : dict, or a list of one for each table, optional
         Values that parameters had in the measurement.
     noise : text, float or dict, optional
@@ -193,16 +194,19 @@ def fit(
         items = []
         for number, (table, place) in enumerate(zip(tables, places), 1):
             number_alone = isinstance(table, Mapping) and any(key in table for key in _NUMBERS)
-            item = dict(table) if number_alone else {"file": _table_of(table, folder, number)}
+            named = isinstance(table, Mapping) and "file" in table
+            item = dict(table) if number_alone or named else {"file": _table_of(table, folder, number)}
+            if named:
+                item["file"] = _table_of(item["file"], folder, number)
             if place and "at" not in item:
                 item["at"] = dict(place)
-            if noise is not None and not number_alone:
+            if noise is not None and not number_alone and "noise" not in item:
                 item["noise"] = (
                     {k: v if k == "contact" else _length(v) for k, v in noise.items()}
                     if isinstance(noise, Mapping)
                     else _length(noise)
                 )
-            if compare != "orbit" and not number_alone:
+            if compare != "orbit" and not number_alone and "compare" not in item:
                 item["compare"] = compare
             items.append(item)
         study = {"unknown": {name: _where(bounds) for name, bounds in names.items()}, "data": items, **options}

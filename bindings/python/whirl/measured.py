@@ -19,10 +19,11 @@ from .errors import BadInput
 
 __all__ = ["read_measured"]
 
-_HDF5 = (".h5", ".hdf5", ".hdf")
+#: suffixes of HDF5 files, which the library reads itself
+HDF5 = (".h5", ".hdf5", ".hdf")
 _UNIVERSAL = (".uff", ".unv", ".uf", ".58", ".58b")
 #: suffixes of files that fits read by :func:`read_measured`
-SUFFIXES = _HDF5 + _UNIVERSAL + (".mat",)
+SUFFIXES = HDF5 + _UNIVERSAL + (".mat",)
 
 
 def read_measured(
@@ -36,7 +37,8 @@ def read_measured(
         A file whose name ends in .h5, .hdf5, .mat, .uff or .unv. MATLAB's files before version 7.3 need SciPy.
     columns : dict, optional
         Headings as in a table of a fit, each with what it is called in the file: a dataset or variable
-        (``"run/x"``), or the number of a record of a universal file, from 1. Without it all one-dimensional datasets or
+        (``"run/x"``), a part of one with an index that runs (``"run/signals[:, 2]"``), or the number of
+        a record of a universal file, from 1. Without it all one-dimensional datasets or
         variables are columns under their own names, with the unit in their attribute ``unit``; records of a universal
         file are named by their point and direction, and their abscissa is ``time [s]``.
 
@@ -95,6 +97,22 @@ def _hdf5(path: Path) -> dict[str, tuple[np.ndarray, str]]:
     return found
 
 
+def _part(path: Path, name: Any, found: dict[str, tuple[np.ndarray, str]]) -> Any:
+    """Adds the numbers of "run/signals[:, 2]" to those found, under that name, and returns it."""
+    dataset, bracket, indices = str(name).rpartition("[")
+    if not bracket or not indices.endswith("]") or not h5py.is_hdf5(path):
+        return name
+    try:
+        key = tuple(slice(None) if index.strip() == ":" else int(index) for index in indices[:-1].split(","))
+        with h5py.File(path, "r") as file:
+            numbers = _column(file[dataset][key]) if key.count(slice(None)) == 1 else None
+    except (KeyError, ValueError, IndexError, TypeError, OSError) as error:
+        raise BadInput(f"{path} has no vector {name!r}: {error}") from None
+    if numbers is not None:
+        found[name] = numbers, ""
+    return name
+
+
 def _matlab(path: Path) -> dict[str, tuple[np.ndarray, str]]:
     try:
         from scipy.io import loadmat
@@ -113,6 +131,7 @@ def _named(path: Path, found: dict[str, tuple[np.ndarray, str]], columns: Option
         if not found:
             raise BadInput(f"{path} has no vector of numbers")
         return {f"{name} [{unit}]" if unit else name: numbers for name, (numbers, unit) in found.items()}
+    columns = {heading: name if name in found else _part(path, name, found) for heading, name in columns.items()}
     for name in columns.values():
         if name not in found:
             raise BadInput(f"{path} has no vector {name!r}, expected one of {', '.join(sorted(found)) or 'none'}")

@@ -36,7 +36,7 @@ typedef struct whirl_given {
 } whirl_given;
 
 /// Maximum number of parameters that all points of a batch have at other values than the case.
-enum { WHIRL_MAX_GIVEN = 16 };
+enum { WHIRL_MAX_GIVEN = 48 };
 
 /// A batch: points with the same options.
 ///

@@ -8,12 +8,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "input.h"
+#include "csv_part.h"
 #include "utf8.h"
 #include "whirl/engine/case.h"
 #include "whirl/status.h"
 
-enum { CSV_MAX_BYTES = 1 << 30, CSV_FIRST_ROWS = 4096 };
+enum { CSV_FIRST_ROWS = 4096 };
 
 /// A table while it is read.
 typedef struct csv_reader {
@@ -29,7 +29,14 @@ whirl_status csv_fail(const csv_table *table, int line, int column, const char *
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
-    return whirl_fail(WHIRL_BAD_INPUT, "%.150s:%d:%d: %.300s", table->path, line, column, text);
+    const int vector = column - CSV_VECTOR;
+    if (!table->vectors) return whirl_fail(WHIRL_BAD_INPUT, "%.150s:%d:%d: %.300s", table->path, line, column, text);
+    if (vector < 0 || (size_t)vector >= table->column_count)
+        return whirl_fail(WHIRL_BAD_INPUT, "%.150s: %.300s", table->path, text);
+    if (line < 1)
+        return whirl_fail(WHIRL_BAD_INPUT, "%.150s: %s: %.300s", table->path, table->columns[vector].source, text);
+    return whirl_fail(WHIRL_BAD_INPUT, "%.150s: %s, number %d: %.300s", table->path, table->columns[vector].source,
+                      line, text);
 }
 
 /// A cell of a line, without blanks and quotes around it; borrowed.
@@ -59,8 +66,7 @@ static whirl_status csv_copy(const csv_reader *r, const csv_cell *cell, char tex
     return whirl_ok();
 }
 
-/// Parts a heading into its name and the unit in brackets.
-static void csv_part(csv_column *own, char text[CSV_TEXT]) {
+void csv_part(csv_column *own, char text[CSV_TEXT]) {
     char *unit = strpbrk(text, "[(");
     if (unit) {
         *unit++ = '\0';
@@ -177,20 +183,6 @@ whirl_status csv_read(const char *path, const char *text, size_t length, size_t 
     return status;
 }
 
-whirl_status csv_load(const char *path, size_t most_columns, csv_table *out) {
-    char *text = NULL;
-    size_t length = 0;
-    input_file in;
-    *out = (csv_table){.path = path};
-    if (!input_read(path, CSV_MAX_BYTES, &in, &text, &length))
-        return whirl_fail(in.no_memory ? WHIRL_NO_MEMORY : WHIRL_BAD_INPUT, "cannot read %.200s: %.128s", path,
-                          in.reason);
-    const whirl_status status = in.size > length ? whirl_fail(WHIRL_BAD_INPUT, "%.200s: is larger than 1 GiB", path)
-                                                 : csv_read(path, text, length, most_columns, out);
-    free(text);
-    return status;
-}
-
 void csv_free(csv_table *table) {
     free(table->columns);
     free(table->numbers);
@@ -202,6 +194,9 @@ whirl_status csv_unit(const csv_table *table, size_t column, const char *si, con
     char text[CSV_TEXT + sizeof "1 "];
     const csv_column *own = &table->columns[column];
     *size = 1.0;
+    if (!*own->unit && table->vectors)
+        return csv_fail(table, table->heading, own->place,
+                        "it has no unit, expected an attribute unit, or a heading with one in brackets: [%s]", example);
     if (!*own->unit)
         return csv_fail(table, table->heading, own->place, "this column has no unit, expected one in brackets: [%s]",
                         example);

@@ -1,7 +1,8 @@
-/// Tables of numbers in text files: a line of headings, "de x [um]", then rows of numbers.
+/// Tables of numbers: text files with a line of headings, "de x [um]", then rows of numbers; or vectors of HDF5 files.
 #ifndef WHIRL_CSV_H
 #define WHIRL_CSV_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "whirl/status.h"
@@ -10,25 +11,30 @@
 extern "C" {
 #endif
 
-enum { CSV_TEXT = 96 };
+enum {
+    CSV_TEXT = 96,
+    CSV_VECTOR = 1 << 20 ///< csv_column.place of the first vector of an HDF5 file; places of others follow
+};
 
 /// A column.
 typedef struct csv_column {
-    char name[CSV_TEXT]; ///< heading without its unit: "de x"
-    char unit[CSV_TEXT]; ///< text in brackets, or ""
-    int place;           ///< column of its heading in its line, from 1
+    char name[CSV_TEXT];   ///< heading without its unit: "de x"
+    char unit[CSV_TEXT];   ///< text in brackets, or ""
+    int place;             ///< column of its heading in its line, from 1; CSV_VECTOR and so on in HDF5 files
+    char source[CSV_TEXT]; ///< HDF5: its dataset, "run/x"
 } csv_column;
 
 /// A table. Numbers are as written.
 typedef struct csv_table {
     const char *path;       ///< in messages; borrowed
-    int heading;            ///< line of the headings, from 1
+    bool vectors;           ///< the columns are vectors of an HDF5 file
+    int heading;            ///< line of the headings, from 1; 0 in HDF5 files
     char title[256];        ///< first comment, or ""
     size_t column_count;    ///< number of columns
     csv_column *columns;    ///< [column_count]
     size_t count, capacity; ///< number of rows, and of those that fit
     double *numbers;        ///< [column_count][capacity]
-    int *lines;             ///< [capacity] lines of the rows, from 1
+    int *lines;             ///< [capacity] lines of the rows, from 1; HDF5: their numbers, from 1
 } csv_table;
 
 /// Reads a table with at most `most_columns` columns. Commas, semicolons or tabs separate cells. Blanks and quotes
@@ -37,13 +43,29 @@ typedef struct csv_table {
 /// csv_free, after a failure, too.
 whirl_status csv_read(const char *path, const char *text, size_t length, size_t most_columns, csv_table *out);
 
-/// Does the same with a file of at most 1 GiB.
+/// Does the same with a file of at most 1 GiB. In HDF5 files all vectors of numbers are columns: they have the names of
+/// their datasets, and the unit of their attribute `unit` or `units`.
 whirl_status csv_load(const char *path, size_t most_columns, csv_table *out);
+
+/// A column that is chosen from an HDF5 file.
+typedef struct csv_chosen {
+    const char *heading; ///< "disc x [um]"; without a unit it is that of the dataset
+    const char *dataset; ///< "run/x", or with indices, one of which is ':', "run/signals[:, 2]"
+} csv_chosen;
+
+/// Reads vectors of an HDF5 file as a table; `count` chosen ones, or if it is 0 all vectors. WHIRL_BAD_INPUT with a
+/// sentence, WHIRL_IO_ERROR, WHIRL_NO_MEMORY. Freed by csv_free, after a failure, too.
+whirl_status csv_load_vectors(const char *path, const csv_chosen *chosen, size_t count, size_t most_columns,
+                              csv_table *out);
+
+/// Adds a column of `count` numbers, which are copied, to a table of vectors. All columns have as many.
+whirl_status csv_add_vector(csv_table *table, const char *heading, const char *unit, const char *source,
+                            const double *numbers, size_t count);
 
 /// Frees a table; accepts an empty one.
 void csv_free(csv_table *table);
 
-/// Fails at a line and a column of the file, from 1.
+/// Fails at a line and a column of the file, from 1; in HDF5 files at a vector, and at one of its numbers.
 whirl_status csv_fail(const csv_table *table, int line, int column, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 

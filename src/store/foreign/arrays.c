@@ -1,0 +1,425 @@
+// Arrays of numbers in HDF5 files (whirl/internal/arrays.h).
+#include "whirl/internal/arrays.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "foreign.h"
+#include "input.h"
+#include "utf8.h"
+#include "whirl/engine/descriptor.h"
+
+enum { ARRAYS_PATH = 1024, ARRAYS_MAX_NAMES = 10000, ARRAYS_MAX_DEPTH = 16 };
+
+struct arrays_file {
+    foreign_file foreign;
+    byte_source source;
+    byte_file bytes; ///< open where its descriptor is 0 or more
+    char path[ARRAYS_PATH];
+};
+
+// ---------------------------------------------------------------- opening
+
+bool arrays_is_file(const char *path) {
+    static const unsigned char signature[8] = {0x89, 'H', 'D', 'F', '\r', '\n', 0x1a, '\n'};
+    byte_file *file = malloc(sizeof *file);
+    bool found = false;
+    if (!file || bytes_open(file, path).code != WHIRL_OK) {
+        free(file);
+        return false;
+    }
+    unsigned char head[8];
+    for (uint64_t at = 0; !found && at <= 4096 && file->source.size >= 8 && at <= file->source.size - 8;
+         at = at > 0 ? 2 * at : 512)
+        found = file->source.read(file->source.context, at, head, sizeof head) == 0 &&
+                memcmp(head, signature, sizeof head) == 0;
+    bytes_close(file);
+    free(file);
+    return found;
+}
+
+/// Ends a call: the status with the file's path, and the dataset's or object's name, before its sentence. Clears it, so
+/// that the file can be read again.
+static whirl_status arrays_end(arrays_file *file, const char *name) {
+    const whirl_status status = file->foreign.status;
+    file->foreign.status = whirl_ok();
+    file->foreign.visits = FOREIGN_MAX_VISITS;
+    if (status.code == WHIRL_OK || status.code == WHIRL_NO_MEMORY) return status;
+    return name ? whirl_fail(status.code, "%.150s: %.100s %.200s", file->path, name, status.message)
+                : whirl_fail(status.code, "%.150s: %.300s", file->path, status.message);
+}
+
+/// Makes a file that is not open yet; NULL without memory.
+static arrays_file *arrays_new(const char *path) {
+    arrays_file *file = calloc(1, sizeof *file);
+    if (!file) return NULL;
+    file->bytes.descriptor = -1;
+    snprintf(file->path, sizeof file->path, "%s", path);
+    return file;
+}
+
+/// Finds the superblock of the source.
+static whirl_status arrays_begin(arrays_file *file, arrays_file **out) {
+    foreign_open(&file->foreign, &file->source);
+    const whirl_status status = arrays_end(file, NULL);
+    *out = status.code == WHIRL_OK ? file : NULL;
+    if (status.code != WHIRL_OK) arrays_close(file);
+    return status;
+}
+
+whirl_status arrays_open_source(const byte_source *source, const char *name, arrays_file **out) {
+    arrays_file *file = arrays_new(name);
+    *out = NULL;
+    if (!file) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an HDF5 file");
+    file->source = *source;
+    return arrays_begin(file, out);
+}
+
+whirl_status arrays_open(const char *path, arrays_file **out) {
+    arrays_file *file = arrays_new(path);
+    *out = NULL;
+    if (!file) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an HDF5 file");
+    const whirl_status status = bytes_open(&file->bytes, path);
+    if (status.code != WHIRL_OK) {
+        arrays_close(file);
+        return status;
+    }
+    file->source = file->bytes.source;
+    return arrays_begin(file, out);
+}
+
+void arrays_close(arrays_file *file) {
+    if (file) bytes_close(&file->bytes);
+    free(file);
+}
+
+// ---------------------------------------------------------------- attributes
+
+/// A search for an attribute, and its value.
+typedef struct attribute_search {
+    foreign_file *file;
+    const char *name;
+    char *text; ///< NULL: a number is looked for
+    size_t size;
+    double number;
+    bool found;
+} attribute_search;
+
+/// Copies a text of an attribute that is in a heap of the file (III.E, global heap).
+static void attribute_long_text(attribute_search *of, plain_part value) {
+    enum { HEAD = 16 };
+    plain_skip(&value, 4);
+    const uint64_t address = plain_number(&value, 8), index = plain_number(&value, 4);
+    unsigned char head[HEAD] = {0};
+    if (value.short_of || address == 0 || !foreign_read(of->file, address, head, sizeof head)) return;
+    plain_part part = {head + 8, 8, false};
+    const uint64_t size = plain_number(&part, 8);
+    unsigned char *block = foreign_block(of->file, address, size < HEAD ? HEAD : size, "GCOL");
+    if (!block) return;
+    part = (plain_part){block + HEAD, size < HEAD ? 0 : (size_t)size - HEAD, false};
+    while (part.left >= HEAD) {
+        const uint64_t own = plain_number(&part, 2);
+        plain_skip(&part, 6);
+        const uint64_t length = plain_number(&part, 8);
+        if (own == 0 || length > part.left) break;
+        if (own == index) {
+            snprintf(of->text, of->size, "%.*s", (int)(length < of->size ? length : of->size - 1),
+                     (const char *)part.at);
+            break;
+        }
+        plain_skip(&part, (size_t)((length + 7) / 8 * 8));
+    }
+    free(block);
+}
+
+/// Takes an attribute (IV.A.2.m): name, type, space and value follow one another.
+static bool attribute_take(void *context, plain_part part) {
+    attribute_search *of = context;
+    foreign_type type;
+    foreign_array space = {.rank = 0};
+    const unsigned version = (unsigned)plain_number(&part, 1), flags = (unsigned)plain_number(&part, 1);
+    const size_t name = (size_t)plain_number(&part, 2);
+    size_t type_size = (size_t)plain_number(&part, 2), space_size = (size_t)plain_number(&part, 2), room = name;
+    if (version == 3) plain_skip(&part, 1);
+    if (version == 1) room = (room + 7) / 8 * 8;
+    if (part.short_of || version < 1 || version > 3 || room > part.left || name == 0)
+        return foreign_fail(of->file, "is damaged");
+    const size_t length = strnlen((const char *)part.at, name);
+    if (strlen(of->name) != length || memcmp(part.at, of->name, length) != 0 || (version > 1 && (flags & 3U)))
+        return true;
+    plain_skip(&part, room);
+    const plain_part of_type = {part.at, type_size < part.left ? type_size : part.left, false};
+    plain_skip(&part, version == 1 ? (type_size + 7) / 8 * 8 : type_size);
+    const plain_part of_space = {part.at, space_size < part.left ? space_size : part.left, false};
+    plain_skip(&part, version == 1 ? (space_size + 7) / 8 * 8 : space_size);
+    if (part.short_of) return foreign_fail(of->file, "is damaged");
+    if (!foreign_type_read(of->file, of_type, &type) || !foreign_space_read(of->file, of_space, &space)) return false;
+    for (int i = 0; i < space.rank; i++)
+        if (space.sizes[i] != 1) return false;
+    if (type.size > part.left) return foreign_fail(of->file, "is damaged");
+    of->found = true;
+    if (of->text && type.kind == FOREIGN_TEXT)
+        snprintf(of->text, of->size, "%.*s", (int)(type.size < of->size ? type.size : of->size - 1),
+                 (const char *)part.at);
+    if (of->text && type.kind == FOREIGN_LONG_TEXT) attribute_long_text(of, (plain_part){part.at, type.size, false});
+    if (!of->text && (type.kind == FOREIGN_WHOLE || type.kind == FOREIGN_REAL))
+        of->number = foreign_number(&type, part.at);
+    return false;
+}
+
+/// Reads an attribute of an object: a text, or a number.
+static void attribute_text(foreign_file *file, const foreign_object *object, const char *name, char *text,
+                           size_t size) {
+    attribute_search of = {.file = file, .name = name, .text = text, .size = size};
+    *text = '\0';
+    foreign_attributes(file, object, attribute_take, &of);
+    // Names and units are shown: what no terminal should obey is none. A text may be padded by blanks.
+    for (size_t i = 0, length; text[i]; i += length) {
+        length = utf8_length(text + i, strlen(text + i));
+        if (utf8_is_plain(text + i, length)) continue;
+        text[0] = '\0';
+        break;
+    }
+    for (size_t end = strlen(text); end > 0 && text[end - 1] == ' ';) text[--end] = '\0';
+}
+
+static double attribute_number(foreign_file *file, const foreign_object *object, const char *name) {
+    attribute_search of = {.file = file, .name = name, .number = NAN};
+    foreign_attributes(file, object, attribute_take, &of);
+    return of.number;
+}
+
+// ---------------------------------------------------------------- names
+
+/// A search for a member of a group.
+typedef struct member_search {
+    const char *name;
+    size_t length;
+    uint64_t address;
+    bool found;
+} member_search;
+
+static bool member_take(void *context, const char *name, size_t length, uint64_t address) {
+    member_search *of = context;
+    of->found = length == of->length && memcmp(name, of->name, length) == 0;
+    if (of->found) of->address = address;
+    return !of->found;
+}
+
+/// Finds an object by its path. Returns false after a failure, or if there is none (file->status is good then).
+static bool arrays_address(foreign_file *file, const char *path, uint64_t *address) {
+    *address = file->root;
+    for (const char *at = path + strspn(path, "/"); *at; at += strspn(at, "/")) {
+        member_search of = {.name = at, .length = strcspn(at, "/")};
+        foreign_object group;
+        if (foreign_object_read(file, *address, &group)) foreign_links(file, &group, member_take, &of);
+        foreign_object_free(&group);
+        if (file->status.code != WHIRL_OK || !of.found) return false;
+        *address = of.address;
+        at += of.length;
+    }
+    return true;
+}
+
+/// Describes a dataset.
+static void arrays_describe(foreign_file *file, const foreign_object *object, foreign_array *array, arrays_item *out) {
+    char unit[ARRAYS_TEXT];
+    *out = (arrays_item){.factor = 1.0};
+    if (!foreign_array_read(file, object, array)) return;
+    out->rank = array->rank;
+    for (int i = 0; i < array->rank; i++) out->sizes[i] = (size_t)array->sizes[i];
+    out->numbers = array->type.kind == FOREIGN_WHOLE || array->type.kind == FOREIGN_REAL;
+    out->described = array->type.described;
+    attribute_text(file, object, "unit", out->unit, sizeof out->unit);
+    if (!*out->unit) attribute_text(file, object, "units", out->unit, sizeof out->unit);
+    // whirl's own numbers say what they are in SI.
+    attribute_text(file, object, "SI_unit", unit, sizeof unit);
+    const double factor = *unit ? attribute_number(file, object, "SI_factor") : (double)NAN;
+    if (!isfinite(factor)) return;
+    memcpy(out->unit, unit, sizeof unit);
+    out->factor = factor;
+}
+
+/// A walk through all groups.
+typedef struct name_walk {
+    foreign_file *file;
+    arrays_visitor visit;
+    void *context;
+    size_t seen;
+    int depth;
+    char path[ARRAYS_PATH];
+    whirl_status status;
+} name_walk;
+
+static bool walk_member(void *context, const char *name, size_t length, uint64_t address) {
+    name_walk *of = context;
+    const size_t before = strlen(of->path);
+    foreign_object object;
+    if (of->seen == ARRAYS_MAX_NAMES) return false;
+    if (of->depth == ARRAYS_MAX_DEPTH || before + length + 2 > sizeof of->path) return true;
+    of->seen++;
+    snprintf(of->path + before, sizeof of->path - before, "%s%.*s", before > 0 ? "/" : "", (int)length, name);
+    if (foreign_object_read(of->file, address, &object)) {
+        if (foreign_object_find(&object, FOREIGN_LAYOUT)) {
+            arrays_item item;
+            foreign_array array;
+            arrays_describe(of->file, &object, &array, &item);
+            // A dataset that cannot be understood does not matter unless it is asked for.
+            if (of->file->status.code == WHIRL_BAD_INPUT)
+                of->file->status = whirl_ok();
+            else
+                of->status = of->visit(of->context, of->path, &item);
+        } else {
+            of->depth++;
+            foreign_links(of->file, &object, walk_member, of);
+            of->depth--;
+        }
+    }
+    foreign_object_free(&object);
+    of->path[before] = '\0';
+    return of->file->status.code == WHIRL_OK && of->status.code == WHIRL_OK;
+}
+
+whirl_status arrays_visit(arrays_file *file, arrays_visitor visit, void *context) {
+    name_walk of = {.file = &file->foreign, .visit = visit, .context = context, .status = whirl_ok()};
+    foreign_object root;
+    if (foreign_object_read(&file->foreign, file->foreign.root, &root))
+        foreign_links(&file->foreign, &root, walk_member, &of);
+    foreign_object_free(&root);
+    const whirl_status status = arrays_end(file, NULL);
+    return status.code != WHIRL_OK ? status : of.status;
+}
+
+/// Names of a file's datasets.
+typedef struct name_table {
+    size_t count, capacity;
+    char **names;
+} name_table;
+
+static whirl_status keep_name(void *context, const char *name, const arrays_item *item) {
+    name_table *of = context;
+    (void)item;
+    if (of->count == of->capacity) {
+        const size_t capacity = of->capacity ? 2 * of->capacity : 64;
+        char **names = realloc(of->names, capacity * sizeof *names);
+        if (!names) return whirl_fail(WHIRL_NO_MEMORY, "no memory for names");
+        of->names = names;
+        of->capacity = capacity;
+    }
+    of->names[of->count] = strdup(name);
+    if (!of->names[of->count]) return whirl_fail(WHIRL_NO_MEMORY, "no memory for names");
+    of->count++;
+    return whirl_ok();
+}
+
+/// Fails for a dataset that is not there, with the nearest name or some of them.
+static whirl_status arrays_missing(arrays_file *file, const char *name) {
+    name_table all = {.count = 0};
+    char text[WHIRL_MESSAGE_SIZE] = "";
+    whirl_status status = arrays_visit(file, keep_name, &all);
+    if (status.code != WHIRL_NO_MEMORY) {
+        enum { SOME = 6 };
+        const char *nearest = whirl_nearest_name(name, (const char *const *)all.names, all.count);
+        if (nearest) snprintf(text, sizeof text, "did you mean '%.100s'?", nearest);
+        for (size_t i = 0; !nearest && i < all.count && i < SOME; i++) {
+            const size_t used = strlen(text);
+            snprintf(text + used, sizeof text - used, "%s%.60s", i ? ", " : "expected one of ", all.names[i]);
+        }
+        if (!nearest && all.count > SOME) snprintf(text + strlen(text), sizeof text - strlen(text), ", ...");
+        status = whirl_fail(WHIRL_BAD_INPUT, "%.150s has no dataset '%.100s'%s%.300s", file->path, name,
+                            *text ? ", " : "", text);
+    }
+    for (size_t i = 0; i < all.count; i++) free(all.names[i]);
+    free(all.names);
+    return status;
+}
+
+/// Opens a dataset; the object is to be freed in any case.
+static whirl_status arrays_dataset(arrays_file *file, const char *name, foreign_object *object) {
+    uint64_t address;
+    *object = (foreign_object){0};
+    const bool found = arrays_address(&file->foreign, name, &address);
+    if (found) foreign_object_read(&file->foreign, address, object);
+    const whirl_status status = arrays_end(file, NULL);
+    if (status.code != WHIRL_OK) return status;
+    if (!found) return arrays_missing(file, name);
+    return foreign_object_find(object, FOREIGN_LAYOUT)
+               ? whirl_ok()
+               : whirl_fail(WHIRL_BAD_INPUT, "%.150s: %.100s is a group, expected a dataset", file->path, name);
+}
+
+whirl_status arrays_find(arrays_file *file, const char *name, arrays_item *out) {
+    foreign_object object;
+    foreign_array array;
+    *out = (arrays_item){.factor = 1.0};
+    whirl_status status = arrays_dataset(file, name, &object);
+    if (status.code == WHIRL_OK) {
+        arrays_describe(&file->foreign, &object, &array, out);
+        status = arrays_end(file, name);
+    }
+    foreign_object_free(&object);
+    return status;
+}
+
+whirl_status arrays_read(arrays_file *file, const char *name, const size_t *first, const size_t *count, double *out) {
+    foreign_object object;
+    foreign_array array;
+    whirl_status status = arrays_dataset(file, name, &object);
+    if (status.code == WHIRL_OK) {
+        if (foreign_array_read(&file->foreign, &object, &array)) {
+            if (array.type.kind == FOREIGN_WHOLE || array.type.kind == FOREIGN_REAL)
+                foreign_values(&file->foreign, &array, first, count, out);
+            else
+                foreign_fail(&file->foreign, "has %s, expected numbers", array.type.described);
+        }
+        status = arrays_end(file, name);
+    }
+    foreign_object_free(&object);
+    return status;
+}
+
+// ---------------------------------------------------------------- attributes of objects and files
+
+/// Opens any object; the object is to be freed in any case.
+static whirl_status arrays_object(arrays_file *file, const char *name, foreign_object *object) {
+    uint64_t address;
+    *object = (foreign_object){0};
+    const bool found = arrays_address(&file->foreign, name, &address);
+    if (found) foreign_object_read(&file->foreign, address, object);
+    return arrays_end(file, name);
+}
+
+whirl_status arrays_text(arrays_file *file, const char *object, const char *attribute, char *text, size_t size) {
+    foreign_object own;
+    *text = '\0';
+    whirl_status status = arrays_object(file, object, &own);
+    if (status.code == WHIRL_OK) {
+        attribute_text(&file->foreign, &own, attribute, text, size);
+        status = arrays_end(file, object);
+    }
+    foreign_object_free(&own);
+    return status;
+}
+
+whirl_status arrays_number(arrays_file *file, const char *object, const char *attribute, double *out) {
+    foreign_object own;
+    *out = NAN;
+    whirl_status status = arrays_object(file, object, &own);
+    if (status.code == WHIRL_OK) {
+        *out = attribute_number(&file->foreign, &own, attribute);
+        status = arrays_end(file, object);
+    }
+    foreign_object_free(&own);
+    return status;
+}
+
+bool arrays_is_foreign(const char *path) {
+    arrays_file *file;
+    char format[ARRAYS_TEXT] = "whirl result";
+    if (!arrays_is_file(path) || arrays_open(path, &file).code != WHIRL_OK) return false;
+    const whirl_status status = arrays_text(file, "/", "format", format, sizeof format);
+    arrays_close(file);
+    return status.code == WHIRL_OK && strcmp(format, "whirl result") != 0;
+}
