@@ -1,5 +1,6 @@
-/// The rotor of all benchmarks: that of the 2015 paper with the printed signs, Sf = 0.0045 and G = 0.115976, from rest
-/// at y1 = y2 = -0.1, by RK4 in 1024 steps per revolution. C and C++.
+/// The rotor of all benchmarks: that of the paper of 2015, a disc and a journal, with the signs of the shaft's
+/// stiffness as printed there, film coefficient Sf = 0.0045 and gravity G = 0.115976. It starts at rest at y1 = y2 =
+/// -0.1 and is computed by RK4 in 1024 steps per revolution. C and C++.
 #ifndef BENCH_ROTOR_H
 #define BENCH_ROTOR_H
 

@@ -340,8 +340,9 @@ def key_ratios(best):
             ("straightforward C (the faster of both builds)", max(best.get(BASE, 0), best.get("C -O3", 0)) or None),
             ("the best loop that the compiler vectorised", vectorised),
             ("the Octave script", best.get("Octave script"))]
-    lines = [f"The {widest} kernel takes {short(bare)} steps a second bare and {short(watched)} watched: recording a motion "
-             f"(bounds, contacts, 64 samples per revolution) costs {100 * (bare / watched - 1):.0f} percent. Its rate divided by that of:",
+    lines = [f"The {widest} kernel alone (*bare*) takes {short(bare)} steps a second. While it also records the motion (*watched*: "
+             f"bounds, contacts, 64 samples per revolution) it takes {short(watched)}: recording costs "
+             f"{100 * (bare / watched - 1):.0f} percent. Its rate divided by that of:",
              ""]
     lines += [f"- {name}: {short(bare / rate)} bare, {short(watched / rate)} watched" for name, rate in rows if rate]
     return lines
@@ -349,9 +350,11 @@ def key_ratios(best):
 
 TEXT = """# Benchmarks
 
-This page compares the speed of whirl's kernels with other programs for the same task: the rotor of the 2015 paper
-(printed signs, Sf = 0.0045, G = 0.115976), from rest at y = -0.1, double precision, RK4 in 1024 steps per revolution. A
-*step* is one step of one machine. `make bench` repeats the measurements and writes this page.
+This page compares the speed of whirl's kernels with other programs for the same task: the rotor of the paper of 2015
+([theory](theory.md), section 7), a disc and a journal, with the signs of the shaft's stiffness as printed there
+(`signs: paper`), film coefficient Sf = 0.0045 and gravity G = 0.115976. It starts at rest at y = -0.1 and is computed
+in double precision by RK4 in 1024 steps per revolution. A *step* is one step of one machine. `make bench` repeats the
+measurements and writes this page.
 
 All programs ran in one session on one core, in {rounds} alternating rounds of {seconds:g} s. The best round counts, by
 processor time. A check before the rounds proves that every program computes the same: x1 after 20 revolutions at r_k
@@ -375,9 +378,9 @@ processor time. A check before the rounds proves that every program computes the
 - *C*: the equations as the paper prints them (`bench/straightforward.c`), one machine, two sets of flags. The
   vectorised loop (`bench/vectorised.c`) has no branch, one arctangent, tabulated cosines, 64 machines side by side and
   RK4 in Nystrom's form; 512-bit vectors where the processor has them; also -march=native -ffast-math.
-- *GSL, ARKODE, Boost.odeint, Numba*: one machine, with the angle of the film eliminated. GSL's rk4 takes every step
-  whole and as two halves; its halves are counted. ARKODE's table has a fifth stage (see `bench/arkode.c`). *simd* is
-  Boost.odeint over `std::experimental::simd`.
+- *GSL, ARKODE, Boost.odeint, Numba*: one machine; the forces of the film are computed by one arctangent, without the
+  angle alpha of the paper. GSL's rk4 takes every step whole and as two halves; its halves are counted. ARKODE's table
+  has a fifth stage (see `bench/arkode.c`). *simd* is Boost.odeint over `std::experimental::simd`.
 - *Octave*: 20 revolutions of one machine, and of 512 side by side; the whole diagram by extrapolation.
 
 ## More stations
@@ -408,7 +411,10 @@ the gap, against a reference in extended precision. All ran in one session, in a
 
 {table}
 
-{sentences}
+- *whirl ISA*: machines in lanes, r_k from 0.55 to 0.65, the first 0.6, contacts located; also at a tighter tolerance,
+  and RK4 in 1024 steps with and without located contacts.
+- *GSL, ARKODE, Boost.odeint*: one machine; they do not locate contacts, and shorten their steps there. *CVODE* finds
+  contacts as roots.
 
 heyoka 7 is not in Debian. It was measured together with two peers on a Zen 5 core: heyoka does {heyoka} revolutions a
 second in batches of 8 (AVX-512, events, error {heyoka_error:.1e}), GSL rk8pd {gsl}, and the loop that the compiler
@@ -416,10 +422,7 @@ vectorised {there} steps of RK4 a second. Either peer can convert heyoka's rate 
 heyoka's batches are vectors of 512 bits, and processors differ in the number of such vectors per cycle, so both
 conversions are given. The loop does {loop} steps a second here.
 
-- *whirl ISA*: machines in lanes, r_k from 0.55 to 0.65, the first 0.6, contacts located; also at a tighter tolerance,
-  and RK4 in 1024 steps with and without located contacts.
-- *GSL, ARKODE, Boost.odeint*: one machine; they do not locate contacts, and shorten their steps there. *CVODE* finds
-  contacts as roots.
+{sentences}
 """
 
 # heyoka 7 (batch of 8 with AVX-512, events) on a Zen 5 core, revolutions a second, and what peers did on the same core:
@@ -650,9 +653,9 @@ ELEMENTS = """
 
 Kernels of elements in lanes compared with C functions of the same laws (`bench/element_laws.c`, -O3 -march=native): one
 sine and cosine for all balls or blades, branches for open contacts, accelerations added up as kernels do. Both compute
-the same random states of machines with four of the element. All contacts touch; balls and
-blades touch if the displacements reach them. Times are nanoseconds for one element of one machine on one core. All
-numbers agree with C to 1e-12.
+the same random states of machines with four copies of the element. All contacts touch; balls and blades touch if the
+displacements reach them. Times are nanoseconds for one element of one machine on one core. All numbers agree with C to
+1e-12.
 
 {table}
 
@@ -757,7 +760,8 @@ def overhung_sentences(rates):
     rows += [(f"the best loop that the compiler vectorised, {form}",
               next((rate for name, rate in rates.items() if name.startswith(LOOP) and form in name), None))
              for form in OVERHUNG_FORMS]
-    lines = [f"Rate of the {widest} kernel divided by that of (aims: 10 and 2):", ""]
+    lines = [f"Rate of the {widest} kernel divided by that of the following (aims: 10 for straightforward C, 2 for vectorised "
+             "loops):", ""]
     return lines + [f"- {name}: {short(bare / rate)} bare, {short(watched / rate)} watched" for name, rate in rows
                     if rate]
 
@@ -834,8 +838,9 @@ def pads_sentences(rates):
     widest = next(isa for isa in INSTRUCTION_SETS if f"whirl {isa}, {PADS_TILTING}" in rates)
     costs, own = pads_costs(rates, widest), rates[f"whirl {widest}, {PADS_TILTING}"]
     films = ", ".join(f"{kind} {short(cost)} ({cost / costs['short film']:.1f})" for kind, cost in costs.items())
-    return [f"- Cost of a film for one machine of the {widest} kernel, in ns (ratio to the short film): {films}. Aims: 2.2 (finite) and 5 "
-            "(a pad); when they were set a short film took 2.9 ns, so they meant 6.4 and 14.5 ns.",
+    return [f"- Cost of a film, or of one pad of a bearing, for one machine of the {widest} kernel in ns, with the ratio to the short "
+            f"film: {films}. The aims are ratios, 2.2 for a finite film and 5 for a pad. When they were set a short film took "
+            "2.9 ns, so that they stood for 6.4 and 14.5 ns.",
             f"- Five tilting pads, rate divided by that of straightforward C (aim: 10): {own / rates['C -O3']:.1f} with -O3, "
             f"{own / rates[BASE]:.1f} with -O3 -march=native -ffast-math."]
 
@@ -880,7 +885,7 @@ Times are processor time of one core.
 - *least_squares, fsolve, solve_ivp*: all by SciPy but the right-hand side, which is C.
 
 Two evaluations of 180 orbits with derivatives by five parameters, transients included, take `whirl run` {many:.3g} s of
-processor time: {half:.2g} s for one on two cores (aim: 1 s).
+processor time. A single evaluation takes a quarter of that by the clock if two cores share it: {half:.2g} s (aim: 1 s).
 """
 
 
@@ -938,18 +943,18 @@ time of one core.
   (`bench/runup_peers.c`).
 - *SciPy*: `solve_ivp` (DOP853) over the same equations in C; *Octave*: `ode45`.
 
-A fan of 64 such runs with torques from 2.5 to 4 N m takes {one:.3g} s of processor time on one thread, and {two:.3g} s
-by the clock on two.
+A study of 64 such runs, with torques from 2.5 to 4 N m, takes {one:.3g} s of processor time on one thread, and
+{two:.3g} s by the clock on two.
 
-A fan of 64 run-ups runs in vector lanes. Those of the paper's rotor (`bench/t1.yaml`) from 300 to 650 rad/s in 3.5 s are
-{turns:.0f} turns and take {fan:.3g} s of processor time of one core, from case file to result file: {ups:.3g} million steps
-a second, {steps:.0f} steps a turn at rtol 1e-8. At constant speed as many turns of the rotor by the same method take
-{constant:.3g} s: {still:.3g} million steps a second, {constant_steps:.0f} steps a turn. So run-ups keep {kept:.2f} of the
-steps (aim: 0.75).
+The runs of a study share vector lanes. 64 run-ups of the paper's rotor (`bench/t1.yaml`) from 300 to 650 rad/s in 3.5 s
+are {turns:.0f} turns and take {fan:.3g} s of processor time of one core, from case file to result file: {ups:.3g}
+million steps a second, {steps:.0f} steps a turn at rtol 1e-8. At constant speed as many turns of the rotor by the same
+method take {constant:.3g} s: {still:.3g} million steps a second, {constant_steps:.0f} steps a turn. So run-ups keep
+{kept:.2f} of the steps (aim: 0.75).
 
-A second of the three-disc compressor (`cases/compressor.yaml`) at 3600 rpm, where its dampers are almost closed, takes
-{compressor:.2g} s of processor time. An orbit of the gear pair (`cases/gear-rattle.yaml`) with its multipliers takes
-{orbit:.2g} ms, on a branch through contact loss and a fold.
+A second of the three-disc compressor (`cases/compressor.yaml`) at 3600 rpm, where the journals of its squeeze film
+dampers come close to the walls, takes {compressor:.2g} s of processor time. An orbit of the gear pair
+(`cases/gear-rattle.yaml`) with its multipliers takes {orbit:.2g} ms, on a branch through contact loss and a fold.
 """
 
 RUNUP_ERROR = 2e-6
