@@ -40,7 +40,8 @@ static const whirl_kind torus = {.name = "torus",
                                  .found = true,
                                  .cost = FOUND_COST};
 
-// Selection (by default, on demand) and the kind of point.
+// The last members of whirl_analysis: usual (computed by default), kept (computed whenever waveforms are stored, and
+// only then), and the kind of its points.
 #define ON_DEMAND false, false, &motion
 #define USUAL true, false, &motion
 #define KEPT false, true, &motion
@@ -82,7 +83,8 @@ static const whirl_kind torus = {.name = "torus",
     analysis(torus, "quasi-periodic motions past Neimark-Sacker points: rotation numbers, bounds, exponents",          \
              "Jorba 2001; Schilder, Osinga, Vogt 2005; docs/theory.md", OF_TORI)                                       \
     WHIRL_STUDIES_AT_REST(analysis)                                                                                    \
-    analysis(ranges, "values reached in the ranges of laws, of motions and of machines at rest; always present",       \
+    analysis(ranges,                                                                                                   \
+             "how far motions and machines at rest reach into the ranges in which laws are valid; always present",     \
              "docs/theory.md", ALWAYS)
 // clang-format on
 

@@ -1,7 +1,8 @@
 // The tables that a case file is checked against, and that `whirl describe` prints.
 //
-// A key of kind WHIRL_KEY_CHOICE with "" for its choices holds a text, a name, or a part of the file with keys of its
-// own, as its meaning explains. A number whose unit is "" has the unit of the swept parameter, or is a list.
+// A key of kind WHIRL_KEY_CHOICE with "" for its choices has a text, a name, or a part of the file with further keys as
+// its value; its meaning says which. A key of kind WHIRL_KEY_NUMBER with "" for its unit has a value in the unit of the
+// parameter that varies, or a list of numbers.
 #include "schema.h"
 
 #include <limits.h>
@@ -62,9 +63,9 @@ static const whirl_key study_keys[] = {
         "one point; a study has one of response, sweep, map, basin, branch; alone or together with it studies of "
         "machines at rest:" WHIRL_STUDIES_AT_REST(AND_NAME)),
     CHOICE_KEY("sweep", OPTIONAL, "", "points along one parameter"),
-    CHOICE_KEY(
-        "motions", OPTIONAL, "",
-        "motions in time with the unbalances of a named study, at every condition, or a list of such: see motions"),
+    CHOICE_KEY("motions", OPTIONAL, "",
+               "motions in time at each of the conditions, with the machine's own unbalances or those of a study, or a "
+               "list of such: see motions"),
     CHOICE_KEY("map", OPTIONAL, "", "points of a plane of two parameters: see map"),
     CHOICE_KEY(
         "basin", OPTIONAL, "",
@@ -150,8 +151,8 @@ static const whirl_key fit_keys[] = {
     CHOICE_KEY("unknown", REQUIRED, "", "names of the unknown parameters, each with start, from and to, or nothing"),
     CHOICE_KEY(
         "data", REQUIRED, "",
-        "a table of measured numbers (CSV or HDF5), or a list of them: paths from the folder of the case, or with "
-        "`at` and `noise`; or numbers such as onset: see fit_data"),
+        "path of a table of measured numbers (CSV or HDF5) from the folder of the case, or a list of paths, of tables "
+        "with further keys such as `at` and `noise`, and of numbers such as onset: see fit_data"),
     WHOLE_KEY("starts", "", DEFAULT("1"), WHIRL_FROM_TO(1, 10000),
               "number of starts: the first at the values of start, the others spread evenly between the bounds, by the "
               "sequence of Halton"),
@@ -173,11 +174,10 @@ static const whirl_key fit_data_keys[] = {
     WHOLE_KEY("record", "", OPTIONAL, WHIRL_FROM_TO(1, WHIRL_MAX_RECORDS),
               "file of study: dataset: number of the record, whose proximity probes are the table; parameters have its "
               "values, unless they are looked for or in `at`"),
-    CHOICE_KEY(
-        "compare", DEFAULT("orbit"), "orbit|statistics",
-        "file: orbit: its motions are periodic; statistics: they may be any, and columns over `speed` or a "
-        "parameter are largest and smallest displacements (disc x max, disc x min), lines (disc x 0.4X), and the "
-        "share of the time in contact"),
+    CHOICE_KEY("compare", DEFAULT("orbit"), "orbit|statistics",
+               "file: orbit: its motions are periodic; statistics: they may be of any kind, and columns over `speed` "
+               "or a parameter are largest and smallest displacements (disc x max, disc x min), lines (disc x 0.4X), "
+               "and the share of the time in contact"),
     NUMBER_KEY("onset", "", "", OPTIONAL, WHIRL_ANY,
                "in place of file: speed at which the machine loses stability, or value of the parameter `along`"),
     NUMBER_KEY("critical", "", "", OPTIONAL, WHIRL_ANY,
@@ -189,14 +189,15 @@ static const whirl_key fit_data_keys[] = {
     NUMBER_KEY("damping", "", "1", OPTIONAL, WHIRL_FROM_TO(-1, 1),
                "in place of file: damping ratio of the mode `mode`"),
     CHOICE_KEY("of", DEFAULT("rest"), "rest|orbit",
-               "onset: rest: the equilibrium becomes unstable; orbit: the periodic motion of `revolutions` does, or "
-               "ends"),
+               "onset: rest: the equilibrium becomes unstable; orbit: the periodic motion with the period "
+               "`revolutions` becomes unstable or ends"),
     CHOICE_KEY("along", OPTIONAL, "", "onset and critical: parameter that varies; absent: the speed"),
     NUMBER_KEY("from", "", "", OPTIONAL, WHIRL_ANY,
-               "onset and critical: value from which the search begins at the start of the fit, upwards, or for an "
-               "onset of a motion also downwards; absent: half the number"),
+               "onset and critical: value from which the search at the start of the fit goes to `to`, upwards, or for "
+               "an onset of a motion also downwards; absent: half the measured number"),
     NUMBER_KEY("to", "", "", OPTIONAL, WHIRL_ANY,
-               "onset and critical: value at which the search ends at the start of the fit; absent: twice the number"),
+               "onset and critical: value at which the search at the start of the fit ends; absent: twice the measured "
+               "number"),
     WHOLE_KEY("mode", "", OPTIONAL, WHIRL_FROM_TO(1, 1000),
               "frequency and damping: number of the mode at the start, by rising frequency, of those that are not "
               "overdamped; absent: the nearest frequency"),
@@ -213,8 +214,8 @@ static const whirl_key motions_keys[] = {
     AXIS_KEYS(false),
     CHOICE_KEY("name", OPTIONAL, "", "name of these motions among several; their table is motions_NAME"),
     CHOICE_KEY("unbalance", OPTIONAL, "",
-               "name of a study of unbalance, or unbalance itself: its unbalances by rule replace the machine's own; "
-               "absent: the machine's own"),
+               "name of a study unbalance, or `unbalance` for one without a name: its unbalances by antinodes_of or at "
+               "replace the machine's own; absent: the machine's own unbalances"),
 };
 
 static const whirl_key branch_keys[] = {
@@ -251,7 +252,7 @@ static const whirl_key event_keys[] = {
     CHOICE_KEY("loss_at", OPTIONAL, "", "station where a blade is lost: an unbalance appears"),
     NUMBER_KEY("loss_moment", "", "kg m", OPTIONAL, WHIRL_POSITIVE, "unbalance that the lost blade leaves"),
     ANGLE_KEY("loss_angle", "", "loss_at",
-              "angle on the shaft of the unbalance that the lost blade leaves, as of other unbalances"),
+              "angle of the unbalance that the lost blade leaves, on the shaft from its mark, as for other unbalances"),
     CHOICE_KEY("change", OPTIONAL, "", "names of parameters with the values that they have from then on"),
 };
 
@@ -320,7 +321,7 @@ static const whirl_key grade_keys[] = {
 static const whirl_key channel_keys[] = {
     CHOICE_KEY("sensor", REQUIRED, "proximity|velocity|accelerometer|keyphasor",
                "proximity: gap, displacement and runout, m; velocity, m/s, and accelerometer, m/s2, of the station; "
-               "keyphasor: pulses of an angle of the shaft, from 0 to 1"),
+               "keyphasor: pulses at angles of the shaft, 1 within a pulse and 0 outside"),
     CHOICE_KEY("at", OPTIONAL, "", "station of the sensor; not for a keyphasor"),
     CHOICE_KEY("name", OPTIONAL, "", "name of the channel; absent: made of sensor, station and number"),
     ANGLE_KEY("angle", "", "at", "direction of the sensor, from the x axis towards y"),
@@ -356,7 +357,7 @@ static const whirl_key channel_keys[] = {
 
 static const whirl_key sensitivity_keys[] = {
     CHOICE_KEY("parameters", REQUIRED, "",
-               "a list of names of parameters, each with a number of its own other than 0 in the case"),
+               "a list of names of parameters, whose values in the case are numbers other than 0, and not expressions"),
     CHOICE_KEY("of", OPTIONAL, "",
                "a list of numbers of every point: see number; absent: the usual ones of each study"),
 };

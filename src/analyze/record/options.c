@@ -263,8 +263,9 @@ const whirl_member *whirl_runup_members(void) {
               "station where a blade is lost: an unbalance appears"),
         RUNUP_NUMBER(loss_moment, "loss_moment", "kg m", "0", WHIRL_NOT_NEGATIVE,
                      "unbalance that the lost blade leaves"),
-        RUNUP_NUMBER(loss_angle, "loss_angle", "rad", "0", WHIRL_ANY,
-                     "angle on the shaft of the unbalance that the lost blade leaves, as of other unbalances"),
+        RUNUP_NUMBER(
+            loss_angle, "loss_angle", "rad", "0", WHIRL_ANY,
+            "angle of the unbalance that the lost blade leaves, on the shaft from its mark, as for other unbalances"),
         RUNUP_NUMBER(loss_time, "loss_time", "s", "0", WHIRL_NOT_NEGATIVE,
                      "time at which the blade is lost; 0: at the beginning, or by loss_speed"),
         RUNUP_NUMBER(loss_speed, "loss_speed", "rad/s", "0", WHIRL_NOT_NEGATIVE,
