@@ -157,7 +157,9 @@ static const whirl_rotor *element_of(machine *one, const char *name) {
     for (size_t i = 0; i < one->elements; ++i)
         if (strcmp(one->names[i], name) == 0) return one->alone[i];
     if (one->elements == MAX_ELEMENTS)
-        mexErrMsgIdAndTxt("whirl:failed", "a machine takes %d elements alone, no more", MAX_ELEMENTS);
+        mexErrMsgIdAndTxt("whirl:failed",
+                          "whirl_element has been used for %d elements of this machine, which is the most",
+                          MAX_ELEMENTS);
     mex_check(whirl_case_element(one->given, name, &one->alone[one->elements]));
     snprintf(one->names[one->elements], WORD, "%s", name);
     return one->alone[one->elements++];

@@ -1,4 +1,5 @@
-// The course of a run: its events, and its laws of speed, torque and ground, with the parameters' values at a point.
+// The course of a run: its events, its speeds, and its laws of rate, torque, load and motion of the ground. They are
+// read from a case, and then evaluated with the parameter values of a point.
 #include <ctype.h>
 #include <math.h>
 #include <stdint.h>
@@ -336,7 +337,7 @@ const course_parts *course_read(case_reader *reader, const machine_parts *machin
         course_say_table(given->place, &course->tables[i], text, sizeof text);
         course_say(reader, keys, laws[i], text);
     }
-    // Note them in the keys' texts, which results store.
+    // Write the number of events and the speeds to the texts of their keys, which results store.
     snprintf(text, sizeof text, "%zu", course->event_count - (change != NULL));
     course_say(reader, keys, "events", text);
     if (speeds && speeds->place->kind == NODE_TEXT)
@@ -349,7 +350,7 @@ const course_parts *course_read(case_reader *reader, const machine_parts *machin
 
 // ---------------------------------------------------------------- values
 
-/// A table at a point, straight between its rows.
+/// A law's table with the parameter values of a point; linear between its rows.
 typedef struct course_values {
     size_t count, last;   ///< number of rows; row before the time of the previous look-up
     double *time, *value; ///< [count] in one block, which `time` begins
@@ -436,8 +437,8 @@ whirl_status course_covers(const course_run *run, double speed, double end) {
         if (own->count > 0 && !(own->time[0] <= 0.0 && own->time[own->count - 1] >= end))
             return whirl_fail(
                 WHIRL_BAD_INPUT,
-                "%s is known from %.6g to %.6g s and the run goes from 0 to %.6g s, expected a table of all "
-                "of it",
+                "%s is known from %.6g to %.6g s and the run goes from 0 to %.6g s, expected a table that covers "
+                "the run",
                 laws[i], own->time[0], own->time[own->count - 1], end);
     }
     return whirl_ok();
@@ -450,7 +451,7 @@ static double course_number(valuation *v, const course_event *own, const char *k
     const setting *given = settings_find(&own->keys, name);
     double number = NAN;
     if (given && valuation_number(v, &given->value, &number).code != WHIRL_OK) number = NAN;
-    // A change without a list of events uses 0 for conditions that it does not have.
+    // Without a list of events, a change_time or change_speed of 0 is no condition.
     return own->alone && number == 0.0 ? (double)NAN : number;
 }
 

@@ -167,9 +167,9 @@ static void phrase_reason(const balance_view *v, size_t n, whirl_phrase *phrase)
         phrase_load(v, own, phrase);
     } else {
         phrase_text(to, phrase,
-                    own->reason == WHIRL_TRIAL_BY_MIN   ? "less would not be clear at "
-                    : own->reason == WHIRL_TRIAL_BY_MAX ? "more would change "
-                                                        : "more would take ");
+                    own->reason == WHIRL_TRIAL_BY_MIN   ? "a smaller one would not be clear at "
+                    : own->reason == WHIRL_TRIAL_BY_MAX ? "a larger one would change "
+                                                        : "a larger one would take ");
         phrase_row(v, phrase, row->probe, row->speed);
         phrase_text(to, phrase, "%s",
                     own->reason == WHIRL_TRIAL_BY_MIN   ? ""
@@ -178,7 +178,7 @@ static void phrase_reason(const balance_view *v, size_t n, whirl_phrase *phrase)
     }
     // Add the expected change at that row.
     if (!isfinite(own->change)) return;
-    phrase_text(to, phrase, "; it changes ");
+    phrase_text(to, phrase, "; this weight changes ");
     phrase_row(v, phrase, row->probe, row->speed);
     phrase_text(to, phrase, " by ");
     phrase_number(to, phrase, WHIRL_QUANTITY_PERCENT, 3, 100.0 * own->change);
@@ -322,7 +322,7 @@ static void find_grade(const balance_view *v) {
     if (!v->found->found) return;
     phrase_text(&v->to, &own->found, "G %.4g, ", of->grade * sum / allowed);
     phrase_number(&v->to, &own->found, WHIRL_QUANTITY_RESIDUAL, 6, sum);
-    phrase_text(&v->to, &own->found, " in all, as these weights have it");
+    phrase_text(&v->to, &own->found, " in all by these weights");
     phrase_text(&v->to, &own->judged, ", %s the grade", within ? "within" : "beyond");
 }
 

@@ -109,7 +109,8 @@ def test_texts_are_the_numbers(file):
     """Tests that CSV has every number of `rows`, and that text, LaTeX and Markdown have the rounded numbers of
     `texts`."""
     result = whirl.open(file)
-    once = {sheet.name: (key, sheet) for key, sheet in result.sheets().items()}  # conditions share sheets
+    # One sheet of each name: the tables of one study at several `conditions` have the same sheets.
+    once = {sheet.name: (key, sheet) for key, sheet in result.sheets().items()}
     for key, sheet in once.values():
         heading, *rows = csv.reader(io.StringIO(result.sheet_text(key, "csv"), newline=""))
         assert heading == [column.title for column in sheet.columns] and len(rows) == len(sheet)

@@ -35,8 +35,8 @@ def _after_fork() -> None:
     if _underway:
         _underway.clear()
         forbid(
-            "this process was forked while another thread of its parent was at a run, so that the library is in no "
-            "known state: begin processes before runs, or with multiprocessing's 'spawn' or 'forkserver'"
+            "this process was forked during a run in another thread of its parent, so that the library is in no known "
+            "state: begin processes before runs, or with multiprocessing's 'spawn' or 'forkserver'"
         )
 
 
@@ -312,7 +312,7 @@ def compute(
     try:
         result = work.wait()
     finally:
-        lib.whirl_job_stop(job)  # needed, as a signal handler may raise before this line
+        lib.whirl_job_stop(job)  # needed if a signal handler raises just before or after work.wait()
         if bar:
             bar.close()
     for words in result.warnings:
