@@ -72,7 +72,7 @@ EXPORTED const char *explorer_case_text(const whirl_case *object) {
 
 // ---------------------------------------------------------------- describing
 
-/// Writes every member that has a name, in the form of results.
+/// Writes every member that has a name as a number or a text; null for numbers that are not finite.
 static void add_members(text *t, const whirl_member *member, const void *from) {
     char word[WHIRL_NAME_SIZE];
     for (; member->part; member++) {

@@ -114,7 +114,7 @@ test('coarse to fine, and another zoom overtakes', async () => {
   await page.waitForFunction(() =>
     /[1-9]\d* finer points were computed here, /.test(document.querySelector('.map-card .status').textContent),
   );
-  assert.ok(!(await page.isDisabled('button:text-is("Recompute")')), 'Recompute does not wait for it');
+  assert.ok(!(await page.isDisabled('button:text-is("Recompute")')), 'Recompute is enabled while points are computed');
   const first = (await points(page)).map(([value]) => value);
   for (let part = 0; part < 4; part++) {
     const [from, to] = [low + ((high - low) * part) / 4, low + ((high - low) * (part + 1)) / 4];

@@ -9,7 +9,7 @@
 typedef struct mean_system {
     const whirl_system *system;
     size_t count;           ///< coordinates other than angles of turning parts (whirl_system.turns)
-    whirl_settled *settled; ///< [dimension] coordinates that mean_settle sets to a balance of their own
+    whirl_settled *settled; ///< [dimension] kinds of coordinates, as mean_settle wrote them
     size_t *kept;           ///< [count] coordinates of the state
     int samples;            ///< phases over which the mean is taken
     double *state;          ///< [dimension] workspace, like slope
@@ -24,12 +24,12 @@ typedef struct mean_system {
 /// system without a Jacobian.
 whirl_status mean_begin(mean_system *m, const whirl_system *system, void **block);
 
-/// Moves coordinates that have a balance of their own to that balance (whirl_system.settle). Returns false if there is
-/// none.
+/// Moves coordinates such as tilts of pads to where the forces on them balance (whirl_system.settle), if the system has
+/// such coordinates. Returns false if there is no balance.
 bool mean_settle(mean_system *m, double *x);
 
-/// Removes from the kept coordinates those that are idle at the equilibrium x: their motions are not modes of the
-/// machine.
+/// Removes from the kept coordinates those that nothing holds at the equilibrium x (WHIRL_IDLE): their motions are not
+/// modes of the machine.
 void mean_leave_idle(mean_system *m, const double *x);
 
 /// Writes the mean system's right-hand side [count] at x [dimension].

@@ -4,7 +4,7 @@
 # It runs blocks of the user guide (guide:2-4, chapters of docs/guide) and of docs/elements.md (elements), in their
 # order and in one fresh folder, with an installed whirl on the PATH:
 #   ```yaml, c, cmake  with "tested: FILE" in the first line are written to FILE; a case must pass `whirl check`,
-#                      unless ", not good" follows
+#                      unless ", refused" follows
 #   ```sh              with "# tested" in the first line are run; the exit status must be 0, or the one given there:
 #                      "# tested, exit status 2"
 #   ```python, octave  with "tested" in the first line are run, Octave if it is installed, Python with the package
@@ -75,7 +75,7 @@ write_block() { # FILE FIRST-LINE
     local target=${name%%[, ]*}
     cp "$1" "$target"
     case $target:$2 in
-    *", not good"* | *.c:* | *.h:* | *.txt:*) return ;;
+    *", refused"* | *.c:* | *.h:* | *.txt:*) return ;;
     esac
     grep -q '^whirl:' "$target" && run_block "$1" 0 whirl check "$target"
 }

@@ -123,7 +123,8 @@ export class ParameterMap {
       (down ? rows - 1 - row : row) * columns + (back ? columns - 1 - column : column);
     this.own = new Int32Array(columns * rows).fill(-1);
     this.points = new Int32Array(columns * rows).fill(-1);
-    // The last column and row belong to the squares that end there.
+    // A point of a refined map represents a square of cells (StoredMap.widths). The last column and row of the map
+    // belong to the squares that end there.
     const end = (first: number, width: number, count: number) => (first + width + 1 < count ? first + width : count);
     for (let point = 0; point < diagram.count; point++) {
       const cell = (map.cells?.[point] ?? point) - index * columns * rows;
@@ -183,12 +184,13 @@ export class ParameterMap {
     return Array.from(this.own).filter((point) => point >= 0 && this.diagram.done[point]);
   }
 
-  /// Returns the computed point of a cell; -1 without one.
+  /// Returns the point that represents a cell, which in refined maps may have been computed in another cell; -1 without
+  /// a finished one.
   point({ column, row }: Cell): number {
     return this.pointAt(row * this.columns + column);
   }
 
-  /// Returns the point of a cell by the cell's number, counted row by row.
+  /// Does the same by the cell's number, counted row by row.
   pointAt(cell: number): number {
     const point = this.points[cell] ?? -1;
     return point >= 0 && this.diagram.done[point] ? point : -1;

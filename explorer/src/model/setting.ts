@@ -49,7 +49,7 @@ export interface RestChoice {
 export interface Address {
   /// Name of the run or preset, "" for the first one.
   run: string;
-  /// The part of its contents, "" for the default.
+  /// Part of the result that is shown, from its contents; "" for the default.
   part: string;
   parameter: string;
   a: Side;

@@ -19,8 +19,9 @@ extern "C" {
 
 /// Carries x [dimension] from a start to the equilibrium, by damped Newton steps with the system's Jacobian and, if
 /// these fail, by raising the load in steps. A start that is an equilibrium stays unchanged, except for coordinates
-/// with a balance of their own (whirl_system.settle). WHIRL_NUMERICAL_FAILURE with a sentence if none is found;
-/// WHIRL_BAD_INPUT if the system has no Jacobian; WHIRL_NO_MEMORY.
+/// that the system itself moves to their equilibrium (whirl_system.settle), such as tilts of pads.
+/// WHIRL_NUMERICAL_FAILURE with a sentence if none is found; WHIRL_BAD_INPUT if the system has no Jacobian;
+/// WHIRL_NO_MEMORY.
 whirl_status whirl_equilibrium(const whirl_system *system, double *x);
 
 /// Returns the share of the static load up to which whirl_equilibrium can follow the equilibrium from a start
@@ -52,7 +53,7 @@ typedef enum whirl_mode_kind { WHIRL_LATERAL_MODE, WHIRL_TORSIONAL_MODE, WHIRL_A
 /// Returns the kind of a mode by its shares of kinetic energy.
 whirl_mode_kind whirl_mode_kind_of(double torsion, double axial);
 
-/// Largest damping ratio of a named mode. Above it a mode is overdamped: it shows no visible oscillation.
+/// Largest damping ratio at which a mode gets a name. Above it a mode is overdamped: it shows no visible oscillation.
 #define WHIRL_OVERDAMPED_RATIO 0.9
 
 /// Returns true for an overdamped mode: a damping ratio above WHIRL_OVERDAMPED_RATIO.
@@ -75,7 +76,8 @@ typedef struct whirl_modes {
 } whirl_modes;
 
 /// Computes the modes of a system; the search for its equilibrium begins at start [dimension]. WHIRL_BAD_INPUT if none
-/// is found, or coefficients turn with a phase that never repeats in whole revolutions. Freed by whirl_modes_free.
+/// is found, or if coefficients turn with angles that do not return after a whole number of revolutions
+/// (whirl_system.repeats is 0). Freed by whirl_modes_free.
 whirl_status whirl_modes_new(const whirl_system *system, const double *start, whirl_modes **modes);
 
 /// Makes the machine at any frequency of whirl (rad/s), which the caller releases.
@@ -106,9 +108,9 @@ whirl_status whirl_loops_peak(const whirl_system *system, const whirl_modes *mod
 void whirl_modes_free(whirl_modes *modes);
 
 /// Matches each mode of `from` with a mode of `to`, partner [from->count], SIZE_MAX if none is left, by similarity of
-/// shapes (modal assurance criterion, Allemang, Brown 1982) and by distance of eigenvalues; those of `from` are
-/// multiplied by `scale` (for different units of time). unlike [from->count], or NULL: dissimilarity of the partners, 0
-/// for equal modes, 1 and more for unrelated ones. WHIRL_NO_MEMORY.
+/// shapes (modal assurance criterion, Allemang, Brown 1982) and by distance of eigenvalues. Eigenvalues of `from` are
+/// first multiplied by `scale`, for systems with different units of time. unlike [from->count], or NULL: dissimilarity
+/// of the partners, 0 for equal modes, 1 and more for unrelated ones. WHIRL_NO_MEMORY.
 whirl_status whirl_modes_match(const whirl_modes *from, const whirl_modes *to, double scale, size_t *partner,
                                double *unlike);
 
@@ -147,11 +149,11 @@ whirl_status whirl_critical_speeds_new(const whirl_machine *machine, const whirl
 
 /// Finds unbalances that excite a mode (after API 617; check the edition that applies): on the shaft that moves most,
 /// one in each stretch between two nodes of the shape, on the side given by the sign of the shape. It is at the station
-/// of the stretch where it excites the mode most: the antinode, if the masses for the rule are equal. Each is `factor`
-/// kg m times a mass in kg: outside the outer bearings the overhanging mass; for a shape without a node between two
-/// bearings the mass that both carry; else the mass that the nearest bearing carries. Parts between nodes with less
-/// than a tenth of the largest displacement are skipped. shape [dimension][2]; statics [probe_count]; out
-/// [probe_count]. Returns their number.
+/// of the stretch where it excites the mode most: the antinode, if the masses for the rule are equal. The moment of
+/// each in kg m is `factor`, in m, times a mass in kg. Outside the outer bearings it is the overhanging mass; if the
+/// shape has no node between the two bearings, the mass that both carry; else the mass that the nearest bearing
+/// carries. Parts between nodes with less than a tenth of the largest displacement are skipped. shape [dimension][2];
+/// statics [probe_count]; out [probe_count]. Returns their number.
 size_t whirl_antinodes(const whirl_system *system, const double *shape, const whirl_station_statics *statics,
                        double factor, whirl_placed *out);
 

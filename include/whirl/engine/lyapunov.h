@@ -17,9 +17,9 @@ typedef struct whirl_estimate {
 } whirl_estimate;
 
 /// Estimates the largest Lyapunov exponent per revolution (natural logarithm): the mean growth of a perturbation over
-/// the watched revolutions after the first tenth. The error is the standard error of block means, plus the defect of
-/// the sum of exponents if all perturbations were followed. NaN if none was followed, or the defect is too large
-/// (whirl_lyapunov_spectrum).
+/// the revolutions in which it was followed, without the first tenth. The error is the standard error of block means.
+/// If all perturbations were followed, it includes the distance of the sum of all exponents from the mean divergence.
+/// NaN if no perturbation was followed, or if that distance is too large (whirl_lyapunov_spectrum).
 whirl_estimate whirl_lyapunov_largest(const whirl_record *record);
 
 /// Estimates all Lyapunov exponents per revolution [dimension], as whirl_lyapunov_largest does. Returns false, with

@@ -112,8 +112,8 @@ typedef struct whirl_film_gap {
 
 /// Kinds of coordinates in whirl_system.settle.
 typedef enum whirl_settled {
-    WHIRL_NOT_SETTLED, ///< the coordinate has no balance of its own
-    WHIRL_SETTLED,     ///< the forces on it balance
+    WHIRL_NOT_SETTLED, ///< `settle` does not change the coordinate
+    WHIRL_SETTLED,     ///< `settle` moved the coordinate to where the forces on it balance
     WHIRL_IDLE         ///< nothing holds it, and it acts on nothing (a pad without a film), or it only counts time
 } whirl_settled;
 
@@ -221,10 +221,10 @@ typedef struct whirl_system {
     /// machines of a structure. False past the last. `seen` NULL: `reached` is NaN.
     bool (*range)(const void *model, size_t index, const whirl_extremes *seen, whirl_law_range *out);
 
-    /// Optional: sets coordinates with a balance of their own (tilts of pads) to that balance, with the coordinates
-    /// that they depend on as in x [dimension], and writes the kind of each coordinate to kinds [dimension]. Of several
-    /// balances it takes the one to which the coordinates move from x; for NaN in x, one that is not idle. False if
-    /// there is no such balance. Searches for equilibria then vary only the other coordinates.
+    /// Optional: moves coordinates such as tilts of pads to where the forces on them balance, with all others as in x
+    /// [dimension], and writes the kind of each coordinate to kinds [dimension]. Of several balances it takes the one
+    /// to which the coordinates move from x; for NaN in x, one that is not idle. False if there is no such balance.
+    /// Searches for equilibria then vary only the other coordinates.
     bool (*settle)(const void *model, double *x, whirl_settled *kinds);
 
     /// Optional: describes the film whose journal is a probe, with the machine at rest at x; the thinnest of several

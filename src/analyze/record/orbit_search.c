@@ -92,15 +92,15 @@ typedef struct lane_search {
 struct orbit_searches {
     whirl_ensemble *ensemble;
     size_t dimension, lanes;
-    double tolerance;          ///< largest distance by which an orbit may fail to close
+    double tolerance;          ///< largest residual of a closed orbit, relative to its largest coordinate
     whirl_perturbations *sets; ///< [lanes]
     double *vectors;           ///< [lanes][dimension][dimension]
     lane_search *in_lanes;     ///< [lanes]
     size_t used;               ///< lanes, at the front
 };
 
-/// Returns the options for searches: a method with a tolerance gets one so fine that Newton's method sees a smooth map,
-/// and that the orbit is two digits more exact than the motion.
+/// Returns the options for searches. The tolerance of an adaptive method is reduced, so that Newton's method sees a
+/// smooth map and the orbit is two digits more exact than the motion.
 static whirl_integrate_options searches_exact(const whirl_integrate_options *integrate, double *tolerance) {
     whirl_integrate_options own = *integrate;
     const double finest = strcmp(own.method, "dop853") == 0 ? 1e-13 : 1e-11; // order 8 and 5

@@ -7,7 +7,8 @@
 #include "correlation.h"
 #include "section.h"
 
-/// Returns the sum over n of (z(n) - mean) . (z(n + lag) - mean), divided by the sum at lag 0.
+/// Returns the sum over n of (z(n) - mean) . (z(n + lag) - mean), divided by the geometric mean of the sums of squares
+/// of the earlier and of the later points.
 static double correlation_at(const section *all, const double *mean, size_t lag) {
     const size_t d = all->dimension;
     double product = 0.0, early = 0.0, late = 0.0;

@@ -4,9 +4,9 @@
 
 #include "section.h"
 
-/// Memory of the section: correlation over the last 1000 points.
+/// Correlations of the last 1000 points of a section with later ones among them: how long the motion remembers a state.
 typedef struct correlation {
-    double late; ///< largest correlation (in modulus) of points between 1/8 and 1/4 of the points apart
+    double late; ///< largest modulus of the correlation at lags from 1/8 to 1/4 of the number of points
     double time; ///< revolutions after which it stays below 0.2; NaN if it does not
 } correlation;
 

@@ -9,11 +9,11 @@
 
 static const double force_share = 0.1, least_change = 0.3, most_change = 1.0, clear = 5.0, gravity = 9.80665;
 
-/// Effect of one unknown on a row.
+/// Effect of one unknown (the weight of a plane, or the factor of a weight set) on a row (a probe at a speed).
 typedef struct view {
     double complex before, effect;
     double limit, repeatability;
-    bool own; ///< at the speed that the unknown is for
+    bool own; ///< true if readings at the row's speed determine the unknown
 } view;
 
 static view balance_trials_look(const whirl_balance *of, const whirl_correction *out, size_t r, size_t unknown) {

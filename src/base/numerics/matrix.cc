@@ -29,9 +29,9 @@ Index index_of(size_t n) {
     return static_cast<Index>(n);
 }
 
-/// Runs code that may throw, and returns false if it does: Eigen throws only without memory. Otherwise errno is as
-/// before: malloc may set it and succeed, where the heap cannot grow in place (glibc's sbrk), and ENOMEM means here
-/// that memory ran out.
+/// Runs code that may throw, and returns its result, or false if it throws. Eigen throws only if memory runs out; errno
+/// is then ENOMEM. Otherwise errno is restored: a malloc that succeeds may have set it to ENOMEM (in glibc, if the heap
+/// cannot grow in place).
 template <typename Work> bool attempt(Work work) noexcept {
     const int before = errno;
     try {

@@ -1,8 +1,8 @@
 /// Macros for tables of keys: a whirl_key by its kind, without the members that the kind does not use.
 ///
-/// After the name comes whether the key is required: REQUIRED, OPTIONAL (it may be left out) or DEFAULT("0"), text in
-/// its unit. Ranges are those of whirl/engine/descriptor.h; CITED_ keys name the source of their definition; of: the
-/// key without which this one has no effect, or NULL.
+/// `presence` is REQUIRED, OPTIONAL (the key may be left out) or DEFAULT("0"): the value of a key that is left out, as
+/// a text in the key's unit. Ranges are those of whirl/engine/descriptor.h; CITED_ keys name the source of their
+/// definition; of: the key without which this one has no effect, or NULL.
 #ifndef BASE_KEYS_H
 #define BASE_KEYS_H
 

@@ -59,8 +59,8 @@ static size_t edit_end(const char *text, size_t length, const file_node *node) {
     return behind_bracket(text, length, end, node->kind == NODE_LIST ? ']' : '}');
 }
 
-/// Finds the bytes of a list. Those of a list with dashes are all bytes after its key, since a bracketed list may need
-/// another indent.
+/// Finds the bytes of a list that a new value replaces. Of a list with dashes these are all bytes after the colon of
+/// its key, since a bracketed list may need another indent.
 static void list_extent(const char *text, size_t length, const file_node *list, size_t *from, size_t *to) {
     const file_node *end = list->last ? list->last : list;
     *to = byte_offset(text, length, end->to);

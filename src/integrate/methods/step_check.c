@@ -32,7 +32,8 @@ static void judge_phase(phase_search *s, const method *own, int steps, whirl_ste
 
 // ---------------------------------------------------------------- the revolution
 
-/// Integrates from `start` over a revolution, to x, and inspects the phases.
+/// Integrates x over one revolution by dop853, which replaces x by its end, and inspects PHASES phases on the way.
+/// *motion: how it ended.
 static whirl_status step_check_follow(phase_search *s, const whirl_integrate_options *options, double tolerance,
                                       double *x, whirl_motion *motion) {
     whirl_integrate_options exact = *options;

@@ -1,3 +1,5 @@
+// Locates the end of a branch whose orbits close there after half their time (halved.h). The equations are singular at
+// that end, so its parameter is extrapolated from points on both sides.
 #include "halved.h"
 #include "branch_points.h"
 #include "curve.h"
@@ -8,8 +10,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/// Returns the projection of two differences [dimension] on each other: that of an orbit from its shift by half its
-/// time, and the same of another orbit.
+/// Returns the scalar product of the half-time differences of two orbits. The half-time difference [dimension] is the
+/// state half a period after the first node, minus the state at the first node.
 static double halved_apart(const whirl_orbit *orbit, const whirl_orbit *other) {
     const size_t n = orbit->dimension, later = orbit->segment_count / 2 * n;
     double sum = 0.0;
@@ -24,8 +26,8 @@ bool halved_between(const waypoint *from, const waypoint *to) {
     return halved_apart(a, b) < -0.9 * sqrt(halved_apart(a, a) * halved_apart(b, b));
 }
 
-/// A point near the end: its place along the tangent; the half-time difference of its orbit, relative to that of the
-/// first point; and its parameter.
+/// A point near the end of the branch: its place along the tangent; the half-time difference of its orbit, as a
+/// multiple of that of the first point; and its parameter.
 typedef struct look {
     double at, apart, value;
 } look;
@@ -51,15 +53,16 @@ static void halved_note(looks *to, look one) {
 }
 
 /// Extrapolates the parameter to the end. The parameter is an even function of the half-time difference, since the
-/// orbits beyond the end are the same ones. It is extrapolated by a polynomial in the square of the difference
-/// (Neville).
+/// orbits beyond the end are those before it, shifted by half their time. It is extrapolated by a polynomial in the
+/// square of the difference (Neville).
 static double value_at_end(const looks *l) {
     double value[NEAREST] = {NAN}, square[NEAREST] = {NAN};
     int count = 0;
     for (int i = 0; i < l->count; i++) {
         square[count] = l->list[i].apart * l->list[i].apart;
         value[count] = l->list[i].value;
-        // Two differences of the same size show only their errors.
+        // Of two points with nearly equal differences only the nearer one helps: the extrapolation divides by the
+        // distance of the squares.
         if (count == 0 || square[count] > 2.0 * square[count - 1]) count++;
     }
     for (int order = 1; order < count; order++)
@@ -77,7 +80,7 @@ static double next_place(const look sides[2], int missed) {
     return zero + share * (sides[missed % 2].at - zero);
 }
 
-/// Closes in on the end from both sides. The end itself is avoided, since the equations are singular there. p becomes
+/// Closes in on the end from both sides. The end itself is avoided, since the equations are singular there. *p becomes
 /// the nearest point that was found, if any.
 static whirl_status halved_close_in(follower *f, const waypoint *from, const waypoint *to, waypoint *p, looks *found) {
     enum { MAX_LOOKS = 16 };

@@ -71,8 +71,8 @@ void equations_take(const orbit_equations *e, const double *nodes, double *u) {
 /// Size below which an orbit counts as at zero; residuals are then absolute.
 static const double nothing = 1e-12;
 
-/// Returns a lower bound for the size of a branch's orbits, a share of the largest one: equilibria and sections may
-/// pass through zero.
+/// Returns the least size by which equations of a branch's orbits are scaled, a share of the largest orbit. The size of
+/// a single orbit would not do: along a branch an equilibrium, or the states of a section, may come near zero.
 static double least_size(const orbit_equations *e) {
     return (shooting_rests(e->s) ? 0.1 : 0.01) * e->largest;
 }
@@ -135,7 +135,8 @@ static bool ends_at(const orbit_equations *e, double value, double period, doubl
     const bool rests = shooting_rests(e->s);
     const bool good =
         s && (rests ? rest_slope(s, e->nodes, s->ends, false) : shooting_carry(s, e->nodes, period, false));
-    // The equations of an equilibrium are at the places of kept coordinates: move them to the coordinates of a node.
+    // The equations of an equilibrium have one number for each kept coordinate: move it to the place of that coordinate
+    // in a node.
     for (size_t i = s && rests ? s->kept_count : 0; i-- > 0;) s->ends[s->kept[i]] = s->ends[i];
     if (good) memcpy(ends, s->ends, s->count * s->dimension * sizeof *ends);
     shooting_free(s);

@@ -31,7 +31,7 @@ static void describe_sag(const drawing *of, const figure_place *place, whirl_fig
     double values[WHIRL_MAX_PROBES];
     whirl_panel *panel = figure_panel(figure, "sag", 1.0, 4.5);
     if (!panel) return;
-    // Compute the bent line between stations, where the shaft is known.
+    // Compute the bent line between stations. Shafts that are not of finite elements have none.
     shaft_bends *bends = bends_new(of, table, point);
     const whirl_shaft_line *line = bends ? bends_line(bends) : NULL;
     double *moved = line ? calloc(line->count, sizeof *moved) : NULL;
@@ -155,7 +155,7 @@ static void add_deflected(whirl_figure *figure, const drawing *of, const whirl_t
     double values[4][WHIRL_MAX_PROBES], most = 0.0;
     snprintf(name, sizeof name, "point-%zu", point + 1);
     whirl_panel *panel = figure_panel(figure, name, 0.5, 2.4);
-    // Compute the bent line between stations, where the shaft is known.
+    // Compute the bent line between stations. Shafts that are not of finite elements have none.
     shaft_bends *bends = bends_new(of, table, point);
     const size_t places = bends ? bends_line(bends)->count : 0;
     double *moved = places > 0 ? calloc(4 * places, sizeof *moved) : NULL;

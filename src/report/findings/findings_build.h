@@ -10,7 +10,7 @@
 typedef struct finder {
     whirl_findings *findings;
     const whirl_shown_units *units; ///< units of the result
-    const whirl_result *result;     ///< view of the result (whirl_result_by_attractor)
+    const whirl_result *result;     ///< the result with each attractor once (whirl_result_by_attractor)
     const whirl_table *table;
     const whirl_case *machine; ///< case of the result (machine_of), or NULL
 } finder;
@@ -22,11 +22,11 @@ whirl_findings *find_begin(void);
 /// NULL and returns WHIRL_NO_MEMORY.
 whirl_status find_made(whirl_findings *made, whirl_findings **findings);
 
-/// Returns the sheet ("spread", "indices" or "probabilities"; static text) that a name such as "spread:FIELD at
-/// STATION" requests for a number of the points; NULL for names without such a request.
+/// Returns the word before the colon of a name such as "spread:FIELD at STATION", which requests a sheet about one
+/// number of the points: "spread", "indices" or "probabilities" (static text). NULL for other names.
 const char *findings_asked_spread(const char *name);
 
-/// Makes the findings on the number that such a name requests. Errors of whirl_findings_new, and WHIRL_BAD_INPUT for an
+/// Makes the findings on the number that such a name contains. Errors of whirl_findings_new, and WHIRL_BAD_INPUT for an
 /// unknown number.
 whirl_status findings_of_spread(const whirl_result *result, const char *units, const char *name,
                                 whirl_findings **findings);

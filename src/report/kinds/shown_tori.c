@@ -93,7 +93,7 @@ static void tori_find(const finder *of) {
     sheet_column(of, sheet, "points", "points", WHIRL_QUANTITY_NUMBER, 9);
     sheet_values(of, sheet, "to", 9);
     sheet_texts(of, sheet, "ends", "ends");
-    // Add a row for each branch, which is a row of points.
+    // Add a row for each branch of tori, whose points follow each other in the table.
     for (size_t point = 0; point < of->table->count; point++) {
         const whirl_tori own = whirl_table_tori(of->table, point);
         find_row(of, sheet, &own, clock);

@@ -13,14 +13,16 @@
 whirl_status derived_at_rest(const whirl_study *study, const whirl_batch *batch, const resting_machine *own,
                              const whirl_layout *layout, double *block);
 
-/// Does the same for a motion that ends at state `end` at a section, by its verdict; `value` is that of the batch's
-/// parameter.
+/// Does the same for a motion with a periodic verdict in `block`, which ends at state `end` of the section: the orbit
+/// is found from there, with the verdict's period. Other motions get no derivatives. `value` is the point's value of
+/// the batch's parameter.
 whirl_status derived_of_motion(const whirl_study *study, const whirl_batch *batch, double value,
                                const whirl_machine *machine, const double *end, const whirl_layout *layout,
                                double *block);
 
-/// Does the same for a point of a branch. Its number is the parameter value of a fold, doubling, Neimark-Sacker or Hopf
-/// point of forced orbits or equilibria. `system` is any machine of the batch.
+/// Does the same for a special point of a branch, whose parameter value is differentiated: a fold, doubling or
+/// Neimark-Sacker point of forced orbits, or a Hopf point of equilibria. Other points get no derivatives. `system` is
+/// any machine of the batch.
 whirl_status derived_of_special(const whirl_study *study, const whirl_batch *batch, const whirl_system *system,
                                 const whirl_branch_point *point, const whirl_layout *layout, double *block);
 
@@ -34,8 +36,9 @@ whirl_status derived_threshold(const whirl_study *study, const whirl_batch *batc
 whirl_status derived_mode(const whirl_study *study, const whirl_batch *batch, const resting_machine *own, size_t mode,
                           size_t count, const varied_parameter *parameters, double *slopes);
 
-/// Derives the value of a fold, doubling or Neimark-Sacker point of forced orbits: slopes [count]. The machine of the
-/// point is that of the batch with its own parameter at this value. Errors as those of derived_threshold.
+/// Derives the parameter value of a fold, doubling or Neimark-Sacker point of forced orbits: slopes [count]. The
+/// machine of the point is the machine of the batch whose varied parameter has that value. Errors as those of
+/// derived_threshold.
 whirl_status derived_special_point(const whirl_study *study, const whirl_batch *batch, const whirl_branch_point *point,
                                    const whirl_orbit_options *options, size_t count, const varied_parameter *parameters,
                                    double *slopes);
