@@ -67,7 +67,7 @@ static whirl_status record_sampling(record_reader *r) {
     arrays_item signals, rate;
     double factor = 1.0;
     if (arrays_find(r->file, RECORDS "/" WHIRL_FIELD_DATASET_RATE, &rate).code == WHIRL_OK)
-        return RECORD_FAIL(r, "record %zu is of a run, expected one at a constant speed, whose motion is periodic",
+        return RECORD_FAIL(r, "record %zu shows a run, expected one at a constant speed, whose motion is periodic",
                            r->number);
     whirl_status status = arrays_find(r->file, RECORDS "/" WHIRL_FIELD_DATASET_SIGNALS, &signals);
     if (status.code == WHIRL_OK && signals.rank != 3) status = RECORD_FAIL(r, "it is damaged");
@@ -79,7 +79,7 @@ static whirl_status record_sampling(record_reader *r) {
     if (status.code == WHIRL_OK) status = arrays_number(r->file, RECORDS, "clock_factor", &factor);
     if (status.code != WHIRL_OK) return status;
     if (fabs(factor - 1.0) > 1e-12)
-        return RECORD_FAIL(r, "its angles are of a keyphasor that turns at another speed than the shaft");
+        return RECORD_FAIL(r, "its angles count by a keyphasor that turns at another speed than the shaft");
     if (!(r->speed > 0.0) || !(r->begin >= 0.0 && r->begin < 1.0)) return RECORD_FAIL(r, "it is damaged");
     if (r->turns > 0.0) r->rate = r->turns * r->speed / two_pi;
     return r->rate > 0.0 ? whirl_ok() : RECORD_FAIL(r, "it is damaged");

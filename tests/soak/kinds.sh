@@ -3,8 +3,8 @@
 # $whirl, $cases, $tests (tests/cli) and fail.
 
 # Points one by one, along a line and in a plane; carried up and down, and confirmed; refined; confirmed and followed; at
-# rest; along branches and on tori; of samples.
-[ -n "${kinds[*]:-}" ] || kinds=(plain map carry refined followed modes branch tori tolerances)
+# rest; along branches and on tori; of samples; records of motions and of runs.
+[ -n "${kinds[*]:-}" ] || kinds=(plain map carry refined followed modes branch tori tolerances records runs)
 sed -e 's/points: 5/points: 2000/' -e 's/, spectrum//' "$tests/good.yaml" >plain.yaml
 sed -e 's/  sweep: .*/  map: {x: {parameter: omega, from: 1, to: 4, points: 60}, y: {parameter: kappa, from: 5, to: 20, points: 20}}/' \
     plain.yaml >map.yaml
@@ -17,6 +17,10 @@ sed -e 's/from: 1.0, to: 0.1, points: 512/from: 0.28, to: 0.1, points: 10/' -e '
 sed 's/points: 9/points: 41/' "$tests/modes.yaml" >modes.yaml
 sed '/^study:/a\  tolerances: {parameters: {kappa: +- 20 %}, samples: 256}' "$tests/good.yaml" >tolerances.yaml
 cp "$tests/branch.yaml" "$tests/tori.yaml" .
+sed -n '/^cat >case.yaml/,/^END/p' "$(dirname "$tests")/determinism/dataset.sh" | sed '1d; $d' >records.yaml
+sed -e 's/omega: {from: 0.7, to: 1.1}/omega: {from: 0.4, to: 0.6}/' -e 's/machines: 40/machines: 6/' -e '/integrate:/d' \
+    -e 's/^    labels:/    runup: {speed_from: = omega, speed_to: 1.5, rate: 0.01, settle: 20}\n    labels:/' \
+    records.yaml >runs.yaml
 declare -A span
 for name in "${kinds[@]}"; do
     refine=$([ $name = refined ] && echo --refine=1e5)

@@ -45,7 +45,7 @@ static hid_t begin_file(bool newest, hsize_t user_block) {
     return file;
 }
 
-/// How a dataset is stored.
+/// Storage of a dataset.
 typedef struct storage {
     int rank;
     hsize_t sizes[3], most[3], chunk[3]; ///< chunk[0] 0: contiguous, or compact
@@ -245,7 +245,7 @@ static void expect_failure(arrays_file *file, const char *name, size_t first, si
     assert_string_equal(status.message, expected);
 }
 
-/// What is not there, or is no number, is refused with a sentence.
+/// Datasets that are not there, or have no numbers, are refused with a sentence.
 static void other_things_are_refused(void **state) {
     static const storage how = {.rank = 1, .sizes = {3}};
     (void)state;
