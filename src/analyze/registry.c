@@ -12,6 +12,8 @@ static const whirl_kind motion = {.name = "motion",
                                   .remark = "",
                                   .moves = true,
                                   .settles = true};
+static const whirl_kind present = {
+    .name = "motion", .asked = "Part of every result.", .method = NULL, .remark = "", .moves = true, .settles = true};
 
 #define AT_REST .name = "rest", .asked = "A study of its own, in place of sweep or response.", .remark = "", .cost = 1.0
 #define ABOUT_REST AT_REST, .method = "linear, about rest", .place = "about where the machine rests"
@@ -45,7 +47,7 @@ static const whirl_kind torus = {.name = "torus",
 #define ON_DEMAND false, false, &motion
 #define USUAL true, false, &motion
 #define KEPT false, true, &motion
-#define ALWAYS true, false, &motion
+#define ALWAYS true, false, &present
 #define TURNING false, false, &rest
 #define STILL false, false, &still
 #define RUNNING false, false, &run
@@ -84,7 +86,7 @@ static const whirl_kind torus = {.name = "torus",
              "Jorba 2001; Schilder, Osinga, Vogt 2005; docs/theory.md", OF_TORI)                                       \
     WHIRL_STUDIES_AT_REST(analysis)                                                                                    \
     analysis(ranges,                                                                                                   \
-             "how far motions and machines at rest reach into the ranges in which laws are valid; always present",     \
+             "how far motions and machines at rest reach into the ranges in which laws are valid",                     \
              "docs/theory.md", ALWAYS)
 // clang-format on
 

@@ -87,7 +87,7 @@ static whirl_status branches_check(const whirl_user_system *system) {
         return whirl_fail(WHIRL_BAD_INPUT, "%s varies, and branches are followed, expected one of the two",
                           system->parameters[system->axes[0].parameter].name);
     if (system->analyses != 0 || system->options.confirm)
-        return whirl_fail(WHIRL_BAD_INPUT, "analyses and verdicts are of motions, expected none of branches");
+        return whirl_fail(WHIRL_BAD_INPUT, "a branch has neither analyses nor verdicts of motions, expected none");
     if (own->curves && own->second == own->parameter)
         return whirl_fail(WHIRL_BAD_INPUT, "curves go over %s, as the branches do, expected another parameter",
                           system->parameters[own->second].name);

@@ -1,4 +1,5 @@
-% Bearings out of files and structs are those of the command: a row of growth.md B3 in SI.
+% Bearings out of files and structs are those of the command: a bearing with two grooves, whose digits two
+% methods agree on.
 function wrong(call, part)
   try
     call();

@@ -202,7 +202,7 @@ static void ring(void **state) {
 
 /// A centred seal of law black: the shear of the wall is lambda rho V^2/2 times slip over V, and lambda follows from
 /// the loss of pressure, rho V^2/2 (1.5 + 2 sigma) = 1 MPa, sigma = lambda L/c, with V = 18.273896746 m/s at 100 pi
-/// rad/s (growth.md of the first validation: 30 digits). Of the law muszynska nothing is known but the couple.
+/// rad/s (computed in 30 digits). Of the law muszynska nothing is known but the couple.
 static void seal(void **state) {
     const double speed = 314.159265358979323846, V = 18.273896746, lambda = 0.00897836818263;
     const double torque = 0.05 * two_pi * 0.05 * 0.05 * 0.5 * lambda * 1000.0 * V * 0.05 * speed * 0.5;

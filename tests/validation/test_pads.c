@@ -1,5 +1,5 @@
-// Bearings of fixed and of tilting pads of finite length against digits of growth.md B2 to B4, which two methods
-// (finite volumes to 7680 x 48 and bilinear elements, extrapolated) agree on.
+// Bearings of fixed and of tilting pads of finite length against digits that two methods agree on:
+// finite volumes to 7680 x 48, and bilinear elements, extrapolated.
 #include <complex.h>
 #include <math.h>
 #include <setjmp.h>

@@ -15,7 +15,8 @@
         "pressure", 1e6, NULL                                                                                          \
     }
 
-/// growth.md, B5: the mean velocity, and friction by the velocity's own equation rho V^2/2 (1.5 + 2 sigma) = 1 MPa.
+/// Digits by an independent computation: the mean velocity, and friction by the velocity's own equation rho V^2/2 (1.5
+/// + 2 sigma) = 1 MPa.
 static void velocity_and_friction(void **unused) {
     (void)unused;
     const black_seal seal = {0.05, 0.05, 2e-4, 1000.0, 1e-3, 1e6, 0.5, 0.5};

@@ -591,7 +591,7 @@ static void wrong_arguments_are_refused(void **state) {
     good(whirl_user_system_curves(system, "r", -1.0, 0.2));
     refused(attempt(system, 2, &result), "curves go over r, as the branches do");
     good(whirl_user_system_set(system, "confirm", "yes"));
-    refused(attempt(system, 2, &result), "analyses and verdicts are of motions");
+    refused(attempt(system, 2, &result), "a branch has neither analyses nor verdicts of motions");
     good(whirl_user_system_vary(system, "r", values, 2));
     refused(attempt(system, 2, &result), "r varies, and branches are followed");
     whirl_user_system_free(system);
