@@ -177,7 +177,7 @@ def test_turbulence_and_soft_pivots():
         ({"turbulence": "ng-pang"}, "did you mean ng-pan"),
         (
             {"supply_pressure": 1e5, "kind": None, "pads": [{"pivot": 0, "arc": 2}], "tilting": "no"},
-            "expected a groove of at most 90 that holds it",
+            "expected grooves of at most 90 degrees",
         ),
     ],
 )

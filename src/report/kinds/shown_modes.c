@@ -81,8 +81,8 @@ static void find_limits(const finder *of, size_t point) {
         phrase_text(of, found, " to ");
         phrase_number(of, found, WHIRL_QUANTITY_ANGULAR, 5, known[1]);
         phrase_text(of, found,
-                    ": coefficients of bearings are those at the damped frequency of each mode, and beyond, "
-                    "tables do not know them");
+                    ": coefficients of bearings are those at the damped frequency of each mode, and their tables "
+                    "end there");
     }
 }
 

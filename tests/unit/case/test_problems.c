@@ -48,7 +48,7 @@ static void sweeps(void **state) {
     expect_problem("from: 1, to: 20, points: 5, start: state", "start: rest",
                    "t:19:3: study.sweep: has no values, expected from, to and points, or values: [...]");
     expect_problem(old, "from: 1, points: 5",
-                   "t:19:3: study.sweep.to: is missing, expected its last value, or values: [...]");
+                   "t:19:3: study.sweep.to: is missing, expected last value of the parameter, or values: [...]");
     expect_problem(old, "from: 1, to: 20, pionts: 5",
                    "t:19:46: study.sweep.pionts: sweep has no key pionts, did you mean points?");
     expect_problem(old, "from: 1, to: 20, points: 5, step: 1",
