@@ -3,6 +3,7 @@
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -148,12 +149,15 @@ static void grid(void **unused) {
     for (size_t l = 0; l < sizeof layouts / sizeof *layouts; l++)
         for (size_t p = 0; p < 2; p++) {
             whirl_pads bearing = pads_of(&layouts[l], preloads[p]);
+            whirl_pads_state state;
             for (size_t s = 0; s < sizeof sommerfeld / sizeof *sommerfeld; s++)
                 for (size_t t = 0; t < sizeof tilts / sizeof *tilts; t++) {
                     const double load = 1.0 / (pi * sommerfeld[s]);
-                    whirl_pads_state state;
-                    bearing.pivot_stiffness = tilts[t].pivot * clearance / unit();
-                    require_ok(whirl_pads_rest(&bearing, (const double[]){0.0, -load}, &state));
+                    // Tilts with the same pivots have one reference.
+                    if (t == 0 || tilts[t].pivot != tilts[t - 1].pivot) {
+                        bearing.pivot_stiffness = tilts[t].pivot * clearance / unit();
+                        require_ok(whirl_pads_rest(&bearing, (const double[]){0.0, -load}, &state));
+                    }
                     check_rest(&layouts[l], preloads[p], load, &tilts[t], state.at);
                 }
         }
@@ -420,6 +424,12 @@ static const struct {
                 {49, {0.79540, -0.77366}}, {51, {0.51664, -0.80434}}, {53, {0.41587, -0.57726}},
                 {55, {0.26845, -0.60580}}, {61, {0.59647, -0.56775}}, {63, {0.44697, -0.59893}}};
 
+/// Tells whether the journal of bearing i is pushed: one in four, such that every layout meets every stiffness of the
+/// springs once.
+static bool is_pushed(size_t i) {
+    return (i % 4 + i / 8 + 2 * (i / 4)) % 4 == 0;
+}
+
 /// Pads on springs: every bearing has an equilibrium, at which no force is left. The order in which pads are listed
 /// changes no bit. A journal that is pushed off a stable equilibrium comes back.
 static void listed(void **unused) {
@@ -432,8 +442,9 @@ static void listed(void **unused) {
         const double preload = preloads[i / 4 % 2], mass = masses[i / 32];
         const tilt_case tilt = {"springs", 2e-4, stiffness[i / 8 % 4], 0.0};
         double first[64] = {0.0};
-        for (size_t k = 0; k < of->count; k++) {
-            whirl_rotor *rotor = make_listed(of, k, preload, mass, &tilt, 1.0);
+        const size_t listings[] = {0, 1 + i / 4 % (of->count - 1)}; // as in `layouts`, and with another pad first
+        for (size_t k = 0; k < 2; k++) {
+            whirl_rotor *rotor = make_listed(of, listings[k], preload, mass, &tilt, 1.0);
             const whirl_system *system = whirl_rotor_system(rotor);
             double start[64] = {0.0};
             whirl_modes *modes = NULL;
@@ -452,7 +463,7 @@ static void listed(void **unused) {
                                      hypot(first[0] - together[t].place[0], first[1] - together[t].place[1]), 2e-5);
                 memcpy(start, first, sizeof start);
                 start[0] += 1e-4;
-                if (mass < 1000.0 && modes->growth < -0.1) {
+                if (mass < 1000.0 && modes->growth < -0.1 && is_pushed(i)) {
                     carry(system, start, 20, 16000);
                     check_within("Pads at rest", words("%s, pushed off: distance left", name), 0.0,
                                  hypot(start[0] - first[0], start[1] - first[1]), 1e-7);
