@@ -37,7 +37,7 @@ def shortened(name):
     study = re.sub(r"(?m)^  (detail|confirm|starts|curves):.*\n(    .*\n)*", "", study)
     study = re.sub(r"points: [0-9]+", "points: 3", study)
     study = re.sub(r"(?m)^(  branch: +\{.*?)(, points: 3)?(, .*)?\}", r"\1\3, points: 20, torus_points: 4}", study)
-    short = {"transient": 20, "record": 16, "watch": 30, "rows": 20, "duration": "0.5 s", "waveform": 2}
+    short = {"transient": 20, "record": 16, "watch": 30, "rows": 20, "machines": 4, "duration": "0.5 s", "waveform": 2}
     for key, value in short.items():
         study = re.sub(rf"\b{key}: +[0-9.]+( s)?", f"{key}: {value}", study)
     return f"{head}study:\n{study}"
