@@ -29,7 +29,7 @@ CASE = Path(__file__).resolve().parents[1] / "cases" / "fault-records.yaml"
 MACHINES = 16
 
 
-def make(folder, name, machines=MACHINES, noise=True, **parameters):
+def make(folder, name, machines, noise=True, **parameters):
     """Returns the data set of the case with these changes, from its file if that exists."""
     path = Path(folder) / f"{name}.h5"
     if path.exists():
@@ -97,10 +97,10 @@ def predicted_by_machine(name, known, tested, targets, machines):
     return predicted
 
 
-def study(folder):
+def study(folder, machines=MACHINES, others=6):
     """Returns the data set, predicted labels of its records by classifier, and accuracies by classifier and test."""
-    data, quiet = make(folder, "rotor"), make(folder, "quiet", noise=False)
-    other = make(folder, "other", machines=6, k="4.5 MN/m", oil="12 mPa s", **{"dataset.seed": 2})
+    data, quiet = make(folder, "rotor", machines), make(folder, "quiet", machines, noise=False)
+    other = make(folder, "other", others, k="4.5 MN/m", oil="12 mPa s", **{"dataset.seed": 2})
     own, without_noise, of_others = rows(data), rows(quiet), rows(other)
     half = data.samples // 2
     first, second = (
