@@ -37,6 +37,8 @@ EXPLORER = scripts/explorer.sh $(if $(CI),,--if-possible) $(BUILD)/explorer
 export PHASES := $(CURDIR)/$(BUILD)/phases.txt
 PHASE   := scripts/phase.sh
 prove    = @$(PHASE) --begin && $(MAKE) --no-print-directory $(1) && $(PHASE) --table
+# BUSY: tests at a time; one more than cores, because tests of browsers and of kills wait.
+BUSY = $(shell echo $$(($(JOBS) + 1)))
 # LEAVE: label of the tests that a proof leaves out (cmake/testing.cmake). WIDE: instruction set of the sanitized build
 # in addition to the portable ones; empty: all.
 LEAVE := long
@@ -63,7 +65,7 @@ test-steps:
 	@$(PHASE) "build: configure" cmake --preset release -DWHIRL_TESTS=ON
 	@$(PHASE) "build: compile" cmake --build $(BUILD) --parallel $(JOBS)
 	@$(PHASE) "build: explorer" $(EXPLORER)
-	@$(PHASE) tests ctest --test-dir $(BUILD) -j $(JOBS) -LE '^($(LEAVE))$$'
+	@$(PHASE) tests ctest --test-dir $(BUILD) -j $(BUSY) -LE '^($(LEAVE))$$'
 
 all-steps: LEAVE := none
 all-steps: test-steps
@@ -77,7 +79,7 @@ check-steps:
 
 sanitize-steps: sanitize-build thread-steps
 	@$(PHASE) "sanitized: a minute of fuzzing" scripts/fuzz.sh $(BUILD)/sanitize 60
-	@$(PHASE) "sanitized: tests" ctest --test-dir $(BUILD)/sanitize -j $(JOBS) -L 'unit|cli|compilers' -LE '^($(LEAVE))$$' --no-tests=error
+	@$(PHASE) "sanitized: tests" ctest --test-dir $(BUILD)/sanitize -j $(BUSY) -L 'unit|cli|compilers' -LE '^($(LEAVE))$$' --no-tests=error
 
 # Both builds by sanitizers reuse the release's object of Eigen's part of the library. The build for the thread
 # sanitizer also reuses layers without threads.
