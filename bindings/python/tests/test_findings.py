@@ -111,6 +111,7 @@ def test_texts_are_the_numbers(file):
     result = whirl.open(file)
     # One sheet of each name: the tables of one study at several `conditions` have the same sheets.
     once = {sheet.name: (key, sheet) for key, sheet in result.sheets().items()}
+    printed, shown_alone = command("table", file).stdout, list(once.values())[-1][0] if once else None
     for key, sheet in once.values():
         heading, *rows = csv.reader(io.StringIO(result.sheet_text(key, "csv"), newline=""))
         assert heading == [column.title for column in sheet.columns] and len(rows) == len(sheet)
@@ -133,7 +134,7 @@ def test_texts_are_the_numbers(file):
         assert lines == [f"| {' | '.join(text.replace('|', chr(92) + '|') for text in row)} |" for row in zip(*filled)]
         for cell in (cell for row in sheet.texts for cell in row):
             assert cell in text and latex_of(cell) in latex
-        assert text == command("table", file, key).stdout
+        assert text in printed and (key != shown_alone or text == command("table", file, key).stdout)
 
 
 def test_closed_form(modes):
