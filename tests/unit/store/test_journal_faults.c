@@ -229,6 +229,7 @@ static void expect_outcome(const run_steps *t, int reason) {
 static void every_call_fails_once(void **state) {
     const fixture *f = *state;
     for (int kind = 0; kind < 4; ++kind) {
+        if (numbers[kind] == EIO && !soaking()) continue;
         int failing = 0;
         for (bool struck = true; struck; failing += stride()) {
             clean(f);
