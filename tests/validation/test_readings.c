@@ -24,7 +24,7 @@ static const double ratios[2][POINTS] = {{1.0, 0.48, 0.45, 0.4, 0.25}, {0.6, 0.4
 static void lengthen(whirl_batch *batch, const void *method) {
     assert_string_equal("r_k", batch->parameter);
     const bool is_long = getenv("WHIRL_SOAK") != NULL;
-    batch->record.transient = is_long ? 3000 : 800;
+    batch->record.transient = is_long ? 3000 : 400;
     batch->record.record = is_long ? 2000 : 400;
     snprintf(batch->integrate.method, sizeof batch->integrate.method, "%s", (const char *)method);
 }
