@@ -556,8 +556,29 @@ static void parts_over_the_speed_from_standstill(void **state) {
     }
 }
 
+/// A speed that falls within a turn so fast that it would reach 0 before the turn's end, had its table no corner: the
+/// turns are the integral of the table.
+static void falls_with_corners(void **state) {
+    (void)state;
+    for (int end = 80; end <= 130; end += 5) {
+        char text[SIZE];
+        snprintf(text, sizeof text,
+                 "whirl: 1\nrotor:\n  speed: 1 rad/s\n  length_scale: 1 m\n"
+                 "  stations: {disc: {mass: 1 kg, damping: 0.2 N.s/m, eccentricity: 0.1 m}}\n"
+                 "  elements: [{spring: {between: [disc, ground], stiffness: 1 N/m}}]\n"
+                 "study:\n  runup: {speeds: [[0 s, 1.2], [60 s, 1.2], [%d s, 0.35]], duration: 200 s, settle: 8}\n",
+                 end);
+        whirl_result *run = result_of_text(text);
+        const double turns = (60.0 * 1.2 + 0.5 * (end - 60.0) * (1.2 + 0.35) + (200.0 - end) * 0.35) / two_pi;
+        check_within("Run-up", words("corner at %d s, turns", end), turns,
+                     first_number(run, WHIRL_FIELD_RUNUP_END_TURNS, 0, 0), 1e-10 * turns);
+        whirl_result_free(run);
+    }
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(sensitive_runs),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(falls_with_corners),
+                                       cmocka_unit_test(sensitive_runs),
                                        cmocka_unit_test(two_discs_on_one_shaft),
                                        cmocka_unit_test(two_discs_otherwise),
                                        cmocka_unit_test(a_million_turns_behind),

@@ -755,7 +755,8 @@ static void runup_compute_together(size_t count, const whirl_resting *points, co
     // Make all machines, and carry out their runs together.
     for (size_t i = 0; i < count; i++) {
         jobs[i].status = statuses[i];
-        if (jobs[i].status.code == WHIRL_OK) runup_job_open(&jobs[i], &points[i], &options->runup, &views[i]);
+        if (jobs[i].status.code == WHIRL_OK)
+            runup_job_open(&jobs[i], &points[i], points[i].run ? points[i].run : &options->runup, &views[i]);
         if (jobs[i].status.code == WHIRL_OK) runup_job_begin(&jobs[i], points[i].saving && points[i].saving->saved);
     }
     runup_jobs_run(jobs, count);

@@ -30,28 +30,59 @@ static void quintic_weights(double s, double weights[3][2]) {
     weights[2][1] = 0.5 * t * t * s3;
 }
 
+/// Returns the displacement (nth 0), velocity (1) or acceleration (2) by time of a station along an axis.
+static double run_motion_value(const motion_node *node, const whirl_probe *probe, size_t axis, size_t nth) {
+    if (nth == 0) return whirl_probe_value(probe, node->state, axis);
+    const double first = whirl_probe_value(probe, node->state, 2 + axis);
+    if (nth == 1) return node->by_time ? first : node->speed * first;
+    const double second = whirl_probe_value(probe, node->slope, 2 + axis);
+    return node->by_time ? second : node->speed * node->speed * second + node->rate * first;
+}
+
+/// Returns a displacement between two states that are `step` apart, with the weights of its place.
+static double run_motion_between(const motion_node *const ends[2], const whirl_probe *probe, size_t axis, double step,
+                                 double weights[3][2]) {
+    double sum = 0.0;
+    for (size_t side = 0; side < 2; side++)
+        sum += weights[0][side] * run_motion_value(ends[side], probe, axis, 0) +
+               step * weights[1][side] * run_motion_value(ends[side], probe, axis, 1) +
+               step * step * weights[2][side] * run_motion_value(ends[side], probe, axis, 2);
+    return sum;
+}
+
 void run_motion_fill(whirl_run_motion *to, const whirl_probe *probes, const motion_node *low, const motion_node *high,
-                     double begin, double end, double step) {
+                     double unit) {
     const motion_node *const ends[] = {low, high};
+    const double step = (high->time - low->time) / unit;
     for (; to->filled < to->count; to->filled++) {
         const double time = to->from + (double)to->filled * to->step;
-        if (!(time < end)) return;
-        const double s = (time - begin) / (end - begin), t = 1.0 - s;
+        if (!(time < high->time)) return;
+        const double s = (time - low->time) / (high->time - low->time), t = 1.0 - s;
         double weights[3][2];
         quintic_weights(s, weights);
         for (size_t p = 0; p < to->probes; p++)
-            for (size_t axis = 0; axis < 2; axis++) {
-                double sum = 0.0;
-                for (size_t side = 0; side < 2; side++)
-                    sum += weights[0][side] * whirl_probe_value(&probes[p], ends[side]->state, axis) +
-                           step * weights[1][side] * whirl_probe_value(&probes[p], ends[side]->state, 2 + axis) +
-                           step * step * weights[2][side] * whirl_probe_value(&probes[p], ends[side]->slope, 2 + axis);
-                run_motion_set(to, to->filled, p, axis, sum);
-            }
+            for (size_t axis = 0; axis < 2; axis++)
+                run_motion_set(to, to->filled, p, axis, run_motion_between(ends, &probes[p], axis, step, weights));
         to->angle[to->filled] =
             t * low->angle + s * high->angle +
             s * t * ((t - s) * (low->angle - high->angle) + step * (t * low->speed - s * high->speed));
     }
+}
+
+double run_motion_error(size_t probe_count, const whirl_probe *probes, const motion_node *low,
+                        const motion_node *middle, const motion_node *high, double unit, double *size) {
+    const motion_node *const ends[] = {low, high};
+    const double span = high->time - low->time;
+    double weights[3][2], largest = 0.0;
+    quintic_weights((middle->time - low->time) / span, weights);
+    for (size_t p = 0; p < probe_count; p++)
+        for (size_t axis = 0; axis < 2; axis++) {
+            const double x = run_motion_value(middle, &probes[p], axis, 0);
+            const double between = run_motion_between(ends, &probes[p], axis, span / unit, weights);
+            largest = fmax(largest, fabs(between - x));
+            *size = fmax(*size, fabs(x));
+        }
+    return largest;
 }
 
 void run_motion_archive(whirl_run_motion *motion, archive *a) {

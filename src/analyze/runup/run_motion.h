@@ -5,20 +5,27 @@
 #include "archive.h"
 #include "whirl/engine/running.h"
 
-/// A computed state by time.
+/// A computed state, by time or by the angle of the shaft.
 typedef struct motion_node {
-    const double *state, *slope; ///< [dimension] and its derivative
-    double angle, speed;         ///< rad, and rad over the unit of time
+    const double *state, *slope; ///< [dimension] and its derivative by the same variable
+    double time;                 ///< s
+    double angle, speed, rate;   ///< rad, rad over the unit of time, and the derivative of the speed by time
+    bool by_time;                ///< derivatives of the state are by time, not by the angle
 } motion_node;
 
 /// Begins the motion: instants before the time 0 have the state at the beginning, and that angle, rad.
 void run_motion_begin(whirl_run_motion *to, const whirl_probe *probes, const double *state, double angle);
 
-/// Fills in the instants from `begin` to before `end`, s, the times of two computed states that are `step` units of
-/// time apart. Displacements are of the fifth degree in time between both: they have the places, velocities and
-/// accelerations of both states. Angles are cubic, which is exact where the rate of the speed is constant.
+/// Fills in the instants from the first state to before the second one; `unit`: s, of time. Displacements are of the
+/// fifth degree in time between both: they have the places, velocities and accelerations of both states. Angles are
+/// cubic, which is exact where the rate of the speed is constant.
 void run_motion_fill(whirl_run_motion *to, const whirl_probe *probes, const motion_node *low, const motion_node *high,
-                     double begin, double end, double step);
+                     double unit);
+
+/// Returns the largest distance, in the machine's unit of length, of the displacements of a computed state from those
+/// that the states before and after it give between them. Writes the largest displacement to *size, if it is larger.
+double run_motion_error(size_t probe_count, const whirl_probe *probes, const motion_node *low,
+                        const motion_node *middle, const motion_node *high, double unit, double *size);
 
 /// Writes the instants filled in so far to an archive, or reads them from it.
 void run_motion_archive(whirl_run_motion *motion, archive *a);

@@ -48,6 +48,11 @@ static const double *runup_placed(const runner *r, const double *x) {
     return r->placed;
 }
 
+/// Returns the number of complete turns; 0 for a shaft that swings back at its beginning.
+static double runup_whole_turns(const runner *r) {
+    return fmax(floor(r->turns + 1e-9), 0.0);
+}
+
 static bool runup_stopped(const runner *r) {
     return whirl_stop_is_set(r->system->stop);
 }
@@ -414,22 +419,69 @@ static void runup_keep_instants(runner *r, double passed, double step, size_t co
     }
 }
 
-/// Fills in the instants of the run's motion up to the end of a part by time.
-static void runup_fill_motion(const runner *r, double step, size_t count) {
-    whirl_run_motion *to = r->plan->motion;
-    double *slope = r->change;
-    motion_node nodes[2];
+/// Returns true if the part that was carried has instants of the motion of a record.
+static bool runup_has_instants(const runner *r) {
+    const whirl_run_motion *to = r->plan->motion;
+    const double end = runup_time_of(r, runup_sample(r, (size_t)r->plan->options->samples));
+    return to && to->filled < to->count && to->from + (double)to->filled * to->step < end;
+}
+
+/// Finds the slopes of all samples of a part, by the equations.
+static void runup_find_slopes(runner *r, double from, double length) {
+    const size_t count = (size_t)r->plan->options->samples;
+    r->machine->part(r->machine, from, length);
+    for (size_t k = 0; k <= count; k++)
+        r->system->rhs(r->system->model, r->by_time ? 0.0 : (double)k * length / (double)count, NULL,
+                       runup_sample(r, k), r->slopes + k * r->most);
+}
+
+/// Describes a sample of a part, which begins at the angle `passed` within the turn.
+static motion_node runup_node(const runner *r, size_t k, double passed, double step) {
+    const double *sample = runup_sample(r, k), *slope = r->slopes + k * r->most;
+    const double angle = r->angle0 + two_pi * runup_whole_turns(r) + passed + (double)k * step;
+    return (motion_node){.state = sample,
+                         .slope = slope,
+                         .time = runup_time_of(r, sample),
+                         .angle = r->by_time ? sample[r->rotor + 2] : angle,
+                         .speed = sample[r->rotor],
+                         .rate = slope[r->rotor] * (r->by_time ? 1.0 : sample[r->rotor]),
+                         .by_time = r->by_time};
+}
+
+/// Fills in the instants of the motion of a record up to the end of a part, whose slopes are known.
+static void runup_fill_motion(runner *r, double passed, double step, size_t count) {
     for (size_t k = 0; k < count; k++) {
-        const double begin = runup_time_of(r, runup_sample(r, k)), end = runup_time_of(r, runup_sample(r, k + 1));
-        if (to->filled == to->count || !(to->from + (double)to->filled * to->step < end)) continue;
-        // The slopes at both ends come from the equations.
-        for (size_t side = 0; side < 2; side++) {
-            const double *sample = runup_sample(r, k + side);
-            r->system->rhs(r->system->model, 0.0, NULL, sample, slope + side * r->most);
-            nodes[side] = (motion_node){sample, slope + side * r->most, sample[r->rotor + 2], sample[r->rotor]};
-        }
-        run_motion_fill(to, r->system->probes, &nodes[0], &nodes[1], begin, end, step);
+        const motion_node low = runup_node(r, k, passed, step), high = runup_node(r, k + 1, passed, step);
+        run_motion_fill(r->plan->motion, r->system->probes, &low, &high, 1.0 / r->unit);
     }
+}
+
+/// Returns the error of the motion of a record between the samples of a part by the angle, as a share of the motion:
+/// every second sample tells how well its neighbours describe it, and their distance is halved.
+static double runup_motion_error(const runner *r, double step, size_t count) {
+    enum { HALVED = 64 }; // two to the sixth power
+    double largest = 0.0, size = 0.0;
+    for (size_t k = 1; k < count; k += 2) {
+        const motion_node low = runup_node(r, k - 1, 0.0, step), middle = runup_node(r, k, 0.0, step);
+        const motion_node high = runup_node(r, k + 1, 0.0, step);
+        const double error = run_motion_error(r->probes, r->system->probes, &low, &middle, &high, 1.0 / r->unit, &size);
+        largest = fmax(largest, error);
+    }
+    return size > 0.0 ? largest / HALVED / size : 0.0;
+}
+
+/// Returns true if the samples of a part by the angle are too far apart for the motion of a record. The part is then to
+/// be carried again, in shorter ones.
+static bool runup_is_coarse(runner *r) {
+    enum { SHORTEST = 16 }; // of a turn
+    const size_t count = (size_t)r->plan->options->samples;
+    if (r->by_time || !runup_has_instants(r)) return false;
+    runup_find_slopes(r, r->from, r->length);
+    const double error = runup_motion_error(r, r->length / (double)count, count);
+    const double allowed = fmax(10.0 * r->plan->options->rtol, 1e-10);
+    const bool coarse = error > allowed && r->length > 1.01 * two_pi / SHORTEST;
+    r->leg = coarse ? 0.5 * r->length : error > allowed / 64.0 ? r->length : 2.0 * r->length;
+    return coarse;
 }
 
 /// Evaluates a part of a turn. from: angle of its beginning (0 with time as variable); passed: the angle of its
@@ -442,7 +494,9 @@ static void runup_see_part(runner *r, double from, double passed, double length)
     runup_see_torques(r, step, count);
     runup_add_orders(r, passed, step, count);
     if (r->plan->samples) runup_keep_instants(r, passed, step, count);
-    if (r->plan->motion) runup_fill_motion(r, step, count);
+    if (!runup_has_instants(r)) return;
+    if (r->by_time || length != r->length) runup_find_slopes(r, from, length);
+    runup_fill_motion(r, passed, step, count);
 }
 
 static void runup_begin_turn(runner *r) {
@@ -530,11 +584,6 @@ static double runup_formula_quantity(const runner *r, const double *x, size_t wh
     }
     const double value = course->value(course->owner, WHIRL_FORMULA_EVENT + (whirl_run_formula)which);
     return isnan(value) ? -INFINITY : value;
-}
-
-/// Returns the number of complete turns; 0 for a shaft that swings back at its beginning.
-static double runup_whole_turns(const runner *r) {
-    return fmax(floor(r->turns + 1e-9), 0.0);
 }
 
 /// Returns the angle at which the present turn ends.
@@ -782,7 +831,18 @@ static whirl_motion runup_carry_next(runner *r, double from, double *length, dou
     }
 }
 
-/// Returns the length by time of the next part. In the run of a record the speed is given, and parts end with turns:
+/// Returns the length of the next part by the angle: the rest of the turn. It is shorter where the speed would fall
+/// below its half, since its law may have a corner before it falls to 0; and in the run of a record where samples must
+/// be closer.
+static double runup_next_angle(const runner *r) {
+    const double halving = 0.375, slow = 1e-3; // (1 - 1/4)/2
+    const double speed = r->x[r->rotor], rate = r->how.rate / (r->unit * r->unit);
+    double length = two_pi - r->passed;
+    if (rate < 0.0 && speed > slow) length = fmin(length, halving * speed * speed / -rate);
+    return r->plan->motion ? fmin(length, r->leg) : length;
+}
+
+/// Returns the length of the next part by time. In the run of a record the speed is given, and parts end with turns:
 /// their ends need not be searched.
 static double runup_next_leg(const runner *r) {
     const double before = 1.0 - 1e-13, speed = r->x[r->rotor], rate = r->how.rate / (r->unit * r->unit);
@@ -809,6 +869,7 @@ static void runup_go_by_angle(runner *r) {
     r->machine->to_angle(r->machine, r->x);
     if (r->copy) r->machine->to_angle(r->machine, r->copy);
     runup_go_by(r, r->side, false);
+    r->leg = two_pi;
 }
 
 /// Lets the run be saved after a whole turn.
@@ -828,7 +889,7 @@ static void runup_end_turn(runner *r) {
     r->phase = PHASE_TURN;
     if (!r->first)
         runup_offer(r);
-    else if (!r->machine->in_time && !r->plan->motion)
+    else if (!r->machine->in_time)
         runup_go_by_angle(r);
     r->first = false;
 }
@@ -842,6 +903,7 @@ static void runup_take_part(runner *r, whirl_motion motion) {
         return;
     }
     // Go to the first event in the part, or to its end.
+    const bool rest = r->length == two_pi - r->passed;
     int what = runup_find_event(r, r->from, r->length, &at, there);
     if (what != EVENT_NONE) {
         memcpy(end, r->x, r->dimension * sizeof *end);
@@ -855,7 +917,7 @@ static void runup_take_part(runner *r, whirl_motion motion) {
         runup_carry_copy(r, r->from, at);
     const double passed = r->by_time ? end[r->rotor + 2] - r->x[r->rotor + 2] : at;
     memcpy(r->x, end, r->dimension * sizeof *end);
-    if (what == EVENT_NONE && (!r->by_time || runup_ends_turn(r, r->x))) what = EVENT_TURN;
+    if (what == EVENT_NONE && (r->by_time ? runup_ends_turn(r, r->x) : rest)) what = EVENT_TURN;
     r->turns = what == EVENT_TURN ? runup_whole_turns(r) + 1.0 : r->turns + passed / two_pi;
     r->passed += passed;
     // Apply the event found, and all others whose conditions hold at its instant.
@@ -912,7 +974,7 @@ static void runup_end_settling(runner *r) {
 /// Begins the time of the run. A shaft that stands makes its first turn with time as variable.
 static void runup_start(runner *r) {
     r->begun = true;
-    if (r->plan->motion) run_motion_begin(r->plan->motion, r->system->probes, r->x, r->x[r->rotor + 2]);
+    if (r->plan->motion) run_motion_begin(r->plan->motion, r->system->probes, r->x, runup_angle_of(r, r->x));
     const bool ends = runup_happen_now(r) || r->status.code != WHIRL_OK;
     if (r->copy) runup_place_copy(r, 0.0);
     r->phase = ends ? PHASE_OVER : PHASE_TURN;
@@ -953,7 +1015,7 @@ bool runup_next(runner *r) {
             break;
         case PHASE_PART:
             r->from = r->by_time ? 0.0 : r->angle0 + r->passed;
-            r->length = r->by_time ? runup_next_leg(r) : two_pi - r->passed;
+            r->length = r->by_time ? runup_next_leg(r) : runup_next_angle(r);
             r->copy_carried = false;
             memcpy(r->end, r->x, r->dimension * sizeof *r->x);
             return true;
@@ -966,7 +1028,7 @@ bool runup_next(runner *r) {
 void runup_take(runner *r, whirl_motion motion) {
     if (r->phase == PHASE_SETTLE)
         runup_take_settling(r, motion);
-    else
+    else if (motion != WHIRL_BOUNDED || !runup_is_coarse(r))
         runup_take_part(r, motion);
 }
 
@@ -1116,7 +1178,8 @@ void runup_finish(runner *r) {
 static whirl_status runup_make_room(runner *r) {
     // Make memory for all arrays at once.
     const size_t d = r->most, samples = (size_t)r->plan->options->samples;
-    const size_t numbers = d * (2 + samples + 1 + 3 + 1 + 2 + 2 + r->probes + 2 * r->torques) +
+    const size_t slopes = r->plan->motion ? samples + 1 : 0;
+    const size_t numbers = d * (2 + samples + 1 + slopes + 3 + 1 + 2 + 2 + r->probes + 2 * r->torques) +
                            r->contacts * (samples + 3) + 3 * r->probes + 3 * r->torques;
     r->x = calloc(numbers + 1, sizeof *r->x);
     r->stations = calloc(r->probes + 1, sizeof *r->stations);
@@ -1132,6 +1195,8 @@ static whirl_status runup_make_room(runner *r) {
     double *next = r->x + d;
     r->begin = next, next += d;
     r->samples = next, next += (samples + 1) * d;
+    if (r->plan->motion) r->slopes = next;
+    next += slopes * d;
     r->scratch = next, next += 3 * d;
     r->placed = next, next += d;
     r->end = r->scratch + d;
@@ -1226,7 +1291,8 @@ void runup_open(runner *r, whirl_running *running, const runup_plan *plan, runup
     // Start: by time where the shaft stands, else by its angle.
     r->status = runup_make_room(r);
     if (r->status.code != WHIRL_OK) return;
-    runup_go_by(r, 0, running->in_time || o->from == 0.0 || plan->motion);
+    runup_go_by(r, 0, running->in_time || o->from == 0.0);
+    if (!r->by_time) r->leg = two_pi;
     memcpy(r->x, plan->start, plan->start_count * sizeof *r->x);
     r->x[r->rotor] = o->from / r->unit;
     if (r->by_time)

@@ -59,13 +59,14 @@ typedef struct runup_state {
     size_t probes, contacts, torques;
     double unit;
     whirl_turning how;
-    double leg;                          ///< length by time of the next part of a turn, in units of time
+    double leg;                          ///< length of the next part of a turn, in units of time, or rad
     double *x;                           ///< [most] now
     double *begin;                       ///< [most] at the beginning of the turn
     double *samples;                     ///< [samples + 1][dimension] of the part
     double *scratch;                     ///< [3][most]
     double *placed;                      ///< [most] a state by the angle
     double *change;                      ///< [2][most] slopes, and a state next to another one
+    double *slopes;                      ///< [samples + 1][most] of the samples, for the motion of a record; else NULL
     double *force;                       ///< [samples + 1][contacts] normal forces of the part
     double *torque;                      ///< [torques] at an instant
     double *speed;                       ///< [probes] at an instant

@@ -235,10 +235,8 @@ static whirl_status resting_analyze(worker *w, size_t slot, const resting_machin
     point.critical = w->found;
     point.before = own->before;
     double *elsewhere = NULL;
-    // A run of a record in a data set has its own options, and its motion is kept for the sensors.
-    whirl_record_options options = w->pass->record;
+    // The motion of a run of a record in a data set is kept for the sensors.
     whirl_run_motion motion;
-    if (machine->run) options.runup = *machine->run;
     whirl_status status = records_run_new(w->batch, machine, &motion);
     if (motion.count > 0) point.motion = &motion;
     if (status.code == WHIRL_OK && looks_elsewhere(w, machine))
@@ -246,8 +244,8 @@ static whirl_status resting_analyze(worker *w, size_t slot, const resting_machin
                                 &elsewhere, &point.elsewhere_growth);
     point.elsewhere = elsewhere;
     if (status.code == WHIRL_OK)
-        status =
-            whirl_analyze_resting(&point, &options, w->batch->analyses, &w->table->layout, resting_block_of(w, slot));
+        status = whirl_analyze_resting(&point, &w->pass->record, w->batch->analyses, &w->table->layout,
+                                       resting_block_of(w, slot));
     if (status.code == WHIRL_OK)
         status = records_note_run(w->batch, slot, machine, &motion, &w->table->layout, resting_block_of(w, slot));
     records_run_free(&motion);
@@ -319,6 +317,7 @@ typedef struct run_point {
     whirl_saving saving;
     double *block;            ///< block of a point whose block stays in the journal, else NULL
     double *rest, *elsewhere; ///< as in whirl_resting
+    whirl_run_motion motion;  ///< motion of a record's run, for its sensors
 } run_point;
 
 /// Run-ups that are computed together, with the input of their analyses.
@@ -337,10 +336,9 @@ static whirl_analysis_set runs_alone(void) {
     return runs;
 }
 
-/// Returns true if points are run-ups that vector lanes may carry: by dop853, without torques over time; not those of
-/// records, whose variable is the time.
+/// Returns true if points are run-ups that vector lanes may carry: by dop853, without torques over time.
 static bool runs_go_together(const worker *w) {
-    return (w->batch->analyses & runs_alone()) != 0 && !w->has_modes && !w->batch->dataset &&
+    return (w->batch->analyses & runs_alone()) != 0 && !w->has_modes &&
            strcmp(w->pass->record.runup.method, "dop853") == 0 &&
            !whirl_layout_field(&w->table->layout, WHIRL_FIELD_RUNUP_TORQUE_OF);
 }
@@ -350,9 +348,11 @@ static whirl_status run_point_describe(worker *w, run_point *p, whirl_resting *p
     const whirl_machine *machine = &p->own.machine;
     const size_t bytes = machine->system->dimension * sizeof *p->rest;
     *point = resting_point_of(&p->at, machine);
-    if (!looks_elsewhere(w, machine)) return whirl_ok();
-    const whirl_status status = elsewhere_find(w->run->study, &p->batch, w->table->values, p->slot, machine, &w->rests,
-                                               &point->rest, &p->elsewhere, &point->elsewhere_growth);
+    whirl_status status = records_run_new(&p->batch, machine, &p->motion);
+    if (p->motion.count > 0) point->motion = &p->motion;
+    if (status.code != WHIRL_OK || !looks_elsewhere(w, machine)) return status;
+    status = elsewhere_find(w->run->study, &p->batch, w->table->values, p->slot, machine, &w->rests, &point->rest,
+                            &p->elsewhere, &point->elsewhere_growth);
     if (status.code != WHIRL_OK || !point->rest) return status;
     // Copy the equilibrium: the next point replaces the known ones.
     p->rest = malloc(bytes);
@@ -369,6 +369,7 @@ static whirl_status run_point_begin(worker *w, run_points *all, size_t slot) {
     run_point *p = &all->points[i];
     *p = (run_point){.slot = slot, .own = {.value = w->table->values[slot]}, .batch = w->own};
     if (p->batch.tolerances.samples > 0) p->batch.sampled = 1 + (p->batch.row > 0 ? slot / p->batch.row : 0);
+    if (p->batch.dataset) p->batch.sampled = 1 + slot;
     p->at = (resting_place){w->run->study, &p->batch, p->own.value};
     p->saving = long_point_begin(w, slot);
     if (!w->table->blocks) p->block = calloc(w->table->layout.size + 1, sizeof *p->block);
@@ -385,7 +386,10 @@ static whirl_status run_point_begin(worker *w, run_points *all, size_t slot) {
 /// Keeps a run-up that was computed.
 static whirl_status run_point_end(const worker *w, run_points *all, size_t i) {
     run_point *p = &all->points[i];
-    whirl_status status = resting_complete(w, &p->batch, p->slot, all->statuses[i], &p->own, all->blocks[i]);
+    whirl_status status = all->statuses[i];
+    if (status.code == WHIRL_OK)
+        status = records_note_run(&p->batch, p->slot, &p->own.machine, &p->motion, &w->table->layout, all->blocks[i]);
+    status = resting_complete(w, &p->batch, p->slot, status, &p->own, all->blocks[i]);
     if (status.code == WHIRL_NUMERICAL_FAILURE) status = leave_unfound(w, &p->batch, p->slot, all->blocks[i]);
     if (!tracker_advance(&w->run->tracker, 0.0, 0)) return whirl_ok(); // points computed after a stop are discarded
     if (status.code == WHIRL_OK) status = resting_keep(w, p->slot, all->blocks[i]);
@@ -407,6 +411,7 @@ static whirl_status runs_compute(worker *w, const size_t *slots, size_t count) {
     for (size_t i = 0; i < all->count && status.code == WHIRL_OK; i++) status = run_point_end(w, all, i);
     for (size_t i = 0; i < all->count; i++) {
         resting_free(&all->points[i].own);
+        records_run_free(&all->points[i].motion);
         free(all->points[i].block);
         free(all->points[i].rest);
         free(all->points[i].elsewhere);
@@ -420,7 +425,8 @@ static whirl_status runs_compute(worker *w, const size_t *slots, size_t count) {
 static size_t runs_take(const worker *w, deal *pieces, size_t *slots) {
     size_t count = 0, piece;
     const size_t threads = (size_t)pieces->threads, fair = (deal_left(pieces) + threads - 1) / threads;
-    const size_t most = fair > RUNS_TOGETHER ? RUNS_TOGETHER : fair;
+    const size_t limit = records_run_limit(w->batch, w->run->result->station_count, RUNS_TOGETHER);
+    const size_t most = fair > limit ? limit : fair;
     while (count < most && deal_take(pieces, &piece)) slots[count++] = w->pass->slots ? w->pass->slots[piece] : piece;
     return count;
 }

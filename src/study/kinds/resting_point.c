@@ -46,6 +46,7 @@ whirl_resting resting_point_of(const resting_place *at, const whirl_machine *mac
                            .context = at,
                            .drive_speed = machine->drive_speed,
                            .course = machine->course,
+                           .run = machine->run,
                            .stop = at->batch->stop,
                            .placed_count = at->batch->placed_count,
                            .placed = at->batch->placed};

@@ -112,13 +112,26 @@ static double records_first_time(const whirl_batch *batch, const whirl_machine *
     return whirl_dataset_lead(&batch->record.dataset, machine->course->speeds[0]);
 }
 
+/// Returns the number of instants of the motion of a run.
+static size_t records_instants(const whirl_dataset_options *options) {
+    return (size_t)WHIRL_SENSOR_INSTANTS * ((size_t)options->samples - 1 + 2 * (size_t)RUN_MARGIN) + 1;
+}
+
+size_t records_run_limit(const whirl_batch *batch, size_t stations, size_t most) {
+    enum { BYTES = 1 << 25 };
+    if (!batch->dataset) return most;
+    const size_t own = records_instants(&batch->record.dataset) * (2 * stations + 1) * sizeof(double);
+    const size_t limit = BYTES / own;
+    return limit < 1 ? 1 : limit > most ? most : limit;
+}
+
 whirl_status records_run_new(const whirl_batch *batch, const whirl_machine *machine, whirl_run_motion *motion) {
     const whirl_dataset_options *options = &batch->record.dataset;
     *motion = (whirl_run_motion){.probes = machine->system->probe_count};
     if (!batch->dataset || !machine->course) return whirl_ok();
     motion->step = 1.0 / (WHIRL_SENSOR_INSTANTS * options->rate);
     motion->from = records_first_time(batch, machine) - RUN_MARGIN / options->rate;
-    motion->count = (size_t)WHIRL_SENSOR_INSTANTS * ((size_t)options->samples - 1 + 2 * (size_t)RUN_MARGIN) + 1;
+    motion->count = records_instants(options);
     motion->x = calloc(motion->count * (2 * motion->probes + 1), sizeof *motion->x);
     motion->angle = motion->x ? motion->x + 2 * motion->probes * motion->count : NULL;
     return motion->x ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for the motion of a record");

@@ -20,6 +20,10 @@ whirl_status records_note(const whirl_batch *batch, size_t point, const whirl_ma
 whirl_status records_run_new(const whirl_batch *batch, const whirl_machine *machine, whirl_run_motion *motion);
 void records_run_free(whirl_run_motion *motion);
 
+/// Returns the number of runs, at most `most` and at least 1, whose motions a thread may keep in memory at once: all of
+/// a study without records. `stations`: their number.
+size_t records_run_limit(const whirl_batch *batch, size_t stations, size_t most);
+
 /// Notes a record as records_note does, from the motion of its run.
 whirl_status records_note_run(const whirl_batch *batch, size_t point, const whirl_machine *machine,
                               const whirl_run_motion *motion, const whirl_layout *layout, double *block);
