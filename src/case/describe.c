@@ -303,6 +303,21 @@ static void law_text(const setting_list *keys, char *text, size_t size) {
     }
 }
 
+/// Describes an event of the runs of a data set as the case has it: "event: time = lost, loss_at disc".
+static void event_text(const file_node *event, char *text, size_t size) {
+    snprintf(text, size, "event: ");
+    for (const file_node *key = event->first; key; key = key->next) {
+        size_t used = strlen(text);
+        snprintf(text + used, size - used, "%s%s", key == event->first ? "" : ", ", key->key);
+        for (const file_node *one = key->kind == NODE_MAPPING ? key->first : key; one;
+             one = one == key ? NULL : one->next) {
+            used = strlen(text);
+            snprintf(text + used, size - used, "%s%s %s", one == key ? "" : " ", one == key ? "" : one->key,
+                     one->text ? one->text : "");
+        }
+    }
+}
+
 /// Adds facts about a data set: the parameters that differ between its records, its labels and its channels.
 static whirl_status describe_dataset(const case_content *content, whirl_result *result) {
     const whirl_dataset *own = content->plan.dataset;
@@ -326,6 +341,12 @@ static whirl_status describe_dataset(const case_content *content, whirl_result *
     if (runup) {
         law_text(runup, text, sizeof text);
         dataset_fact(&status, result, "law", 1, text);
+        const setting *events = settings_find(runup, "events");
+        size_t count = 1;
+        for (const file_node *one = events ? events->place->first : NULL; one; one = one->next) {
+            event_text(one, text, sizeof text);
+            dataset_fact(&status, result, "law", ++count, text);
+        }
     }
     return status;
 }

@@ -136,9 +136,9 @@ static whirl_status make_run(const case_content *content, const whirl_batch *bat
     if (status.code == WHIRL_OK && batch->dataset) {
         const plan_origin *origin = &content->plan.origins[plan_batch(&content->plan, batch->name)];
         m->recorded = true;
-        return dataset_run(origin->runup, batch, v, m->course, &m->run);
-    }
-    if (status.code == WHIRL_OK) status = course_covers(m->course, options->from, whirl_runup_duration(options));
+        status = dataset_run(origin->runup, batch, v, m->course, &m->run);
+    } else if (status.code == WHIRL_OK)
+        status = course_covers(m->course, options->from, whirl_runup_duration(options));
     // Check each event; the machine may change with it.
     for (size_t i = 0; i < parts->event_count && status.code == WHIRL_OK; i++) {
         const whirl_run_event *event = &course_shown(m->course)->events[i];

@@ -361,6 +361,7 @@ struct course_run {
     whirl_run_course shown;
     expression_evaluator *formulas[WHIRL_FORMULAS]; ///< NULL for those that are not given
     course_values tables[WHIRL_FORMULA_EVENT];
+    double lead;     ///< s of the run before the time 0 of formulas
     double values[]; ///< values of parameters, then of variables
 };
 
@@ -382,6 +383,7 @@ static double course_look_up(course_values *of, double time) {
 
 static double course_value(void *owner, whirl_run_formula formula) {
     course_run *run = owner;
+    run->shown.variables[WHIRL_VARIABLE_TIME] -= run->lead;
     if (run->formulas[formula]) return evaluator_again(run->formulas[formula]);
     return course_look_up(&run->tables[formula], run->shown.variables[WHIRL_VARIABLE_TIME]);
 }
@@ -577,6 +579,9 @@ whirl_status course_lead(course_run *run, double lead) {
     }
     own->speed_times[0] = 0.0;
     own->speed_count++;
+    run->lead = lead;
+    for (size_t i = 0; i < own->event_count; i++)
+        if (own->events[i].after == WHIRL_NO_EVENT) own->events[i].time += lead; // NaN stays
     return whirl_ok();
 }
 

@@ -64,7 +64,8 @@ void course_free(course_run *run);
 /// Sets the speeds of a run without a table, rad/s and rad/s2: from `from` to `to` at the rate `rate`, then constant.
 void course_set_rate(course_run *run, double from, double to, double rate);
 
-/// Prepends `lead` seconds at the first speed to the table of speeds. WHIRL_BAD_INPUT if the table has too many rows.
+/// Prepends `lead` seconds at the first speed to the table of speeds; times of events and in formulas count from their
+/// end. WHIRL_BAD_INPUT if the table has too many rows.
 whirl_status course_lead(course_run *run, double lead);
 
 /// Adds the values that an event gives to parameters behind given [*count], at most WHIRL_MAX_GIVEN.

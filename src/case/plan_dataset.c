@@ -174,8 +174,8 @@ static void check_drawn_once(case_reader *reader, const dataset_parts *own) {
 
 /// Reads the run of the records. Its course exists even without a table of speeds, which each record then makes.
 static void read_run(case_reader *reader, const machine_parts *machine, dataset_parts *own) {
-    static const char *const known[] = {"speed_from", "speed_to", "rate", "speeds", "begin",
-                                        "settle",     "samples",  "rtol", "method", "rows"};
+    static const char *const known[] = {"speed_from", "speed_to", "rate",   "speeds", "begin", "settle",
+                                        "samples",    "rtol",     "method", "rows",   "events"};
     char shown[SHOWN_SIZE];
     const setting *given = settings_find(&own->keys, "runup");
     if (!given) return;
@@ -192,7 +192,7 @@ static void read_run(case_reader *reader, const machine_parts *machine, dataset_
         if (k == sizeof known / sizeof *known)
             problem_at_key(reader->problems, one->place,
                            "has no meaning for records, expected speed_from, speed_to and rate, or speeds, with begin, "
-                           "settle, samples, rtol, method and rows");
+                           "settle, samples, rtol, method, rows and events");
     }
     const bool table = settings_find(keys, "speeds"), from = settings_find(keys, "speed_from");
     const bool to = settings_find(keys, "speed_to"), rate = settings_find(keys, "rate");
@@ -200,6 +200,17 @@ static void read_run(case_reader *reader, const machine_parts *machine, dataset_
         problem_at(reader->problems, given->place, "is %s, expected speed_from, speed_to and rate, or speeds",
                    table ? "speeds and a rate" : node_shown(given->place, shown));
     const course_parts *read = course_read(reader, machine, keys);
+    // The speed of records follows a law, and all records have the same number of samples.
+    for (size_t i = 0; read && i < read->event_count; i++) {
+        const course_event *event = &read->events[i];
+        if (event->trip)
+            problem_at_key(
+                reader->problems, event->place,
+                "is the trip of a motor, and the speed of records follows a law, expected loss_at or change");
+        if (event->end)
+            problem_at_key(reader->problems, event->place,
+                           "ends the run, and records need all their samples, expected loss_at or change");
+    }
     own->runup = keys;
     own->course = read ? read : course;
 }
@@ -482,6 +493,7 @@ static void finish_runs(case_reader *reader, valuation *v, const plan_parts *par
     batch->record.dataset = dataset;
     snprintf(batch->record.runup.sensitivity, sizeof batch->record.runup.sensitivity, "no");
     if (!settings_find(own->runup, "rows")) batch->record.runup.rows = 2;
+    batch->record.runup.event_count = (int)own->course->event_count;
     plan_choose_analyses(batch, runs, false);
     const size_t index = plan_batch(result, batch->name);
     result->origins[index].course = own->course;
@@ -496,6 +508,7 @@ whirl_status dataset_run(const setting_list *keys, const whirl_batch *batch, val
     settings_take(v, keys, whirl_runup_members(), options);
     snprintf(options->sensitivity, sizeof options->sensitivity, "no");
     options->rows = batch->record.runup.rows;
+    options->event_count = batch->record.runup.event_count;
     if (shown->speed_count == 0) {
         const double from = options->from, to = options->to, rate = options->rate;
         if (!(from >= 0.0 && to > 0.0 && rate > 0.0) || from == to)

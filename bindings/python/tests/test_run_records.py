@@ -222,6 +222,81 @@ def test_run_is_that_of_the_study(tmp_path):
         assert np.allclose(table[name][i], run[name][0], rtol=1e-8, atol=1e-9), name
 
 
+EVENTS = """
+whirl: 1
+title: Records of blades that are lost, and shafts that loosen
+parameters: {loss: 0 kg m, lost: 60 s, k: 1 N/m, k2: 1 N/m, low: 0.4 rad/s, rate: 0.008}
+rotor:
+  speed: 1 rad/s
+  length_scale: 1 m
+  stations:
+    disc: {mass: 1 kg, damping: 0.2 N.s/m, eccentricity: 0.1 m}
+  elements:
+    - spring:  {between: [disc, ground], stiffness: = k}
+    - gravity: 0.02 m/s2
+study:
+  dataset:
+    machines: 3
+    records: 1
+    rate: 3 Hz
+    samples: 600
+    conditions: {low: {from: 0.3, to: 0.5}, rate: {from: 0.006, to: 0.012}}
+    runup:
+      speed_from: = low
+      speed_to: 1.6
+      rate: = rate
+      settle: 8
+      rtol: 1e-10
+      events:
+        - {time: = lost, loss_at: disc, loss_moment: = loss, loss_angle: 40 deg}
+        - {WHEN, change: {k: = k2}}
+    labels:
+      healthy:
+      blade: {grade: {loss: {from: 0.05, to: 0.2}}, vary: {lost: {from: 20, to: 80}}}
+      loose: {grade: {k2: {from: 0.9, to: 0.5}}}
+    channels:
+      - {sensor: proximity, at: disc}
+      - {sensor: proximity, at: disc, angle: 90 deg}
+"""
+
+
+@pytest.mark.parametrize("when", ["speed: 0.8", "when: = time > 45", "when: = speed > 0.9"])
+def test_events_are_those_of_scipy(when, tmp_path):
+    """An unbalance appears at a time from the first sample on, and the stiffness changes at a speed or a time."""
+    data = made(tmp_path, "", EVENTS.replace("WHEN", when))
+    frame = data.index
+    assert list(frame.label[:3]) == ["healthy", "blade", "loose"]
+    for i in range(3):
+        at = turning([0.0, (1.6 - frame.low[i]) / frame["parameter rate"][i]], [frame.low[i], 1.6])
+        changed = 45.0 if "time" in when else (float(when[-3:]) - frame.low[i]) / frame["parameter rate"][i]
+
+        def slopes(t, z, i=i, at=at, changed=changed):
+            x, y, vx, vy = z
+            angle, speed, rate = at(t)
+            angle = angle + 2.0 * np.pi * frame.begin[i]
+            stiffness = frame.k2[i] if t >= changed else 1.0
+            fx, fy = -stiffness * x - 0.2 * vx, -stiffness * y - 0.2 * vy - 0.02
+            for moment, place in ((0.1, 0.0), (frame.loss[i] if t >= frame.lost[i] else 0.0, np.radians(40.0))):
+                cos, sin = np.cos(angle + place), np.sin(angle + place)
+                fx, fy = fx + moment * (speed**2 * cos + rate * sin), fy + moment * (speed**2 * sin - rate * cos)
+            return [vx, vy, fx, fy]
+
+        times = (np.arange(4 * (SAMPLES + 36)) - 4 * 18) / (4.0 * RATE)
+        ends = sorted({-32.0 / RATE - 16.0 * np.pi / frame.low[i], 0.0, changed, frame.lost[i],
+                       (1.6 - frame.low[i]) / frame["parameter rate"][i], times[-1] + 1.0})  # fmt: skip
+        z, state = np.empty((4, len(times))), np.array([0.0, -0.02, 0.0, 0.0])
+        for start, end in zip(ends, ends[1:]):
+            inside = (times >= start) & (times < end)
+            found = solve_ivp(slopes, (start, end - 1e-12), state, "DOP853", np.append(times[inside], end - 1e-12),
+                              rtol=1e-11, atol=1e-13)  # fmt: skip
+            z[:, inside], state = found.y[:, :-1], found.y[:, -1]
+        for channel in range(2):
+            error = abs(data.signals[i, channel] - filtered(z[channel], times, SAMPLES)) / abs(z[channel]).max()
+            assert error.max() < 3e-7, (when, i, channel)
+    assert data.remake(2).tobytes() == data.signals[2].tobytes()
+    assert "event: time = lost, loss_at disc, loss_moment = loss" in data.datasheet
+
+
 def test_files(tmp_path):
     data = made(tmp_path, UP)
     assert data.remake(5).tobytes() == data.signals[5].tobytes()
@@ -237,7 +312,15 @@ def test_files(tmp_path):
     [
         ("{speed_from: = low, rate: = rate}", "expected speed_from, speed_to and rate, or speeds"),
         ("{speeds: [[0 s, 1], [9 s, 2]], rate: 1}", "is speeds and a rate"),
-        ("{speed_from: 1, speed_to: 2, rate: 1, events: [{time: 1 s, end: yes}]}", "has no meaning for records"),
+        ("{speed_from: 1, speed_to: 2, rate: 1, drag: no}", "has no meaning for records"),
+        (
+            "{speed_from: 1, speed_to: 2, rate: 1, events: [{time: 1 s, end: yes}]}",
+            "ends the run, and records need all",
+        ),
+        (
+            "{speed_from: 1, speed_to: 2, rate: 1, events: [{time: 1 s, trip: yes}]}",
+            "the speed of records follows a law",
+        ),
         ("{speed_from: 1, speed_to: 1, rate: 1}", "expected two speeds"),
         ("{speed_from: 0, speed_to: 1, rate: 1, begin: steady}", "begins steady at standstill"),
     ],

@@ -162,6 +162,8 @@ static void state_records(const finder *of, const label_count *counts) {
         char name[WHIRL_NAME_SIZE];
         const char *law = records_fact(of->result, "law", 1, name);
         phrase_text(of, &own->found, "; runs with %s", law);
+        for (size_t i = 2; *(law = records_fact(of->result, "law", i, name)); i++)
+            phrase_text(of, &own->found, "; %s: %s", name, law);
     }
     if (ended > 0)
         phrase_text(of, &own->found, "; %zu motion%s did not last and ha%s no signals", ended, ended == 1 ? "" : "s",
