@@ -1066,6 +1066,53 @@ def measure_runups(options):
                             orbit=measure_gears(options, folder))
 
 
+RECORDS = """
+## Data sets
+
+Records of the paper's rotor (`bench/records.yaml`): 100 revolutions to settle, 100 of 64 samples from four sensors,
+verdicts, float32 in HDF5, written as they come; processor time of two threads.
+
+| records | processor, s | of a record, ms | file, MB | memory, MB |
+|---:|---:|---:|---:|---:|
+{table}
+
+Each further record takes {each:.3g} ms, and 100,000 records {minutes:.3g} minutes of two idle cores (aim: 10). A record
+of a run-up (`cases/run-up-records.yaml`, 8.2 s through the critical speed) takes {runs:.3g} ms.
+"""
+
+
+def run_records(options, case, folder, machines):
+    """Runs a data set of so many machines by two threads. Returns the number of records, the seconds of the processor,
+    the bytes of the file, and those of memory."""
+    result = pathlib.Path(folder, "records.h5")
+    command = [str(options.build / "whirl"), "run", str(case), "-q", "--threads=2", "--force", "-o", str(result), "--set",
+               f"dataset.machines={machines}"]
+    child = subprocess.Popen(command)
+    _, status, used = os.wait4(child.pid, 0)
+    child.returncode = os.waitstatus_to_exitcode(status)
+    assert child.returncode == 0, command
+    with open(result.with_name("records-records.csv"), "rb") as table:
+        count = sum(1 for _ in table) - 1
+    return count, used.ru_utime + used.ru_stime, result.stat().st_size, 1024 * used.ru_maxrss
+
+
+def measure_records(options):
+    lines, spent = [], []
+    with tempfile.TemporaryDirectory() as folder:
+        for machines in (500, 2500):
+            runs = [run_records(options, HERE / "records.yaml", folder, machines) for _ in range(options.study_rounds)]
+            count, seconds, size, memory = min(runs, key=lambda run: run[1])
+            lines.append(f"| {count:,} | {short(seconds)} | {short(1e3 * seconds / count)} | {size / 1e6:.0f} | "
+                         f"{memory / 1e6:.0f} |")
+            spent.append((count, seconds))
+        (few, first), (many, last) = spent
+        count, seconds, _, _ = min((run_records(options, HERE.parent / "cases" / "run-up-records.yaml", folder, 40)
+                                    for _ in range(options.study_rounds)), key=lambda run: run[1])
+    each = (last - first) / (many - few)
+    return RECORDS.format(table="\n".join(lines), each=1e3 * each, minutes=1e5 * each / 2.0 / 60.0,
+                          runs=1e3 * seconds / count)
+
+
 def wrapped(page):
     """The page with paragraphs and items in lines of at most 120 columns; tables, headings and pictures stay."""
     def filled(item):
@@ -1120,6 +1167,7 @@ def arguments():
     parser.add_argument("--pads", action="store_true", help="measure bearings of pads only, and print")
     parser.add_argument("--fit", action="store_true", help="measure a fit only, and print")
     parser.add_argument("--runup", action="store_true", help="measure run-ups only, and print")
+    parser.add_argument("--records", action="store_true", help="measure data sets only, and print")
     parser.add_argument("--map", action="store_true", help="measure a map only, and print")
     return parser.parse_args()
 
@@ -1152,6 +1200,9 @@ def main():
     if options.runup:
         say(wrapped(measure_runups(options)))
         return
+    if options.records:
+        say(wrapped(measure_records(options)))
+        return
     before = os.getloadavg()[0]
     best = measure(programs(options.build), options)
     studies = {} if options.no_study else measure_studies(options)
@@ -1164,6 +1215,7 @@ def main():
     page += measure_pads(options)
     page += measure_fit(options)
     page += measure_runups(options)
+    page += measure_records(options)
     if studies:
         page += STUDY.format(rounds=options.study_rounds, study="\n".join(study_table(best, studies)))
     page = wrapped(page)
