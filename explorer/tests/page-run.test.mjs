@@ -209,3 +209,40 @@ for (const colorScheme of ['light', 'dark'])
       await close();
     }
   });
+
+test('bands of tolerances are shaded over the time', async () => {
+  const [FROM, TO, SAMPLES] = [0.5, 1.5, 128];
+  const text = RAMP.replace('rotor:', 'parameters: {e: 1 m}\nrotor:')
+    .replace('eccentricity: 1 m', 'eccentricity: = e')
+    .replace(/ {4}- rub.*\n/, '')
+    .replace('700 s}', '700 s, rows: 40}');
+  const study = `  tolerances: {parameters: {e: {from: ${FROM} m, to: ${TO} m}}, samples: ${SAMPLES}}\n`;
+  const { page, complaints, close } = await opened(makePage('ramp-bands', text + study) + '#part=runup');
+  const [{ bands }] = JSON.parse(await page.textContent('#whirl-runs'));
+  assert.deepEqual(
+    bands.map(({ parameter, field, column }) => [parameter, field, column]),
+    [
+      ['time', 'runup/amplitude', 0],
+      ['time', 'runup/amplitude', 1],
+      ['time', 'runup/radius', 0],
+    ],
+  );
+  // Without a rub the motion is proportional to the eccentricity, whose quantiles are known. The run of the case itself
+  // has the eccentricity 1 m.
+  const { heading, rows } = exported('ramp-bands', 'amplitude');
+  const [number, first] = ['row', 'x1'].map((word) => heading.findIndex((name) => name.startsWith(word)));
+  assert.equal(bands[0].places.length, 40);
+  assert.ok(rows.length > 30);
+  for (const row of rows) {
+    const [time, ...quantiles] = bands[0].places[row[number] - 1];
+    [0.05, 0.25, 0.5, 0.75, 0.95].forEach((share, i) => {
+      const expected = row[first] * (FROM + share * (TO - FROM));
+      const tolerance = row[first] * (2 / SAMPLES) * (TO - FROM) + 1e-6;
+      assert.ok(Math.abs(quantiles[i] - expected) < tolerance, `at ${time} s ${quantiles[i]}, expected ${expected}`);
+    });
+  }
+  assert.match(await page.textContent(`${card('The run over the time')} .legend`), /tolerances.*median of 128 samples/);
+  assert.doesNotMatch(await page.textContent(`${card('The run over the speed')} .legend`), /tolerances/);
+  assert.deepEqual(complaints, []);
+  await close();
+});

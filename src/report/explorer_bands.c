@@ -74,12 +74,61 @@ static void band_write(band_list *to, const whirl_spread_of *of) {
     fputs("]}", to->stream);
 }
 
+/// Numbers that the diagram of a run-up shows of every station, in rows over the time.
+static const struct {
+    const char *field, *column;
+} band_rows[] = {
+    {WHIRL_FIELD_RUNUP_AMPLITUDE, "x1"}, {WHIRL_FIELD_RUNUP_AMPLITUDE, "y1"}, {WHIRL_FIELD_RUNUP_RADIUS, ""}};
+
+/// Writes the band of a number of a run-up over the time: a place for each row, at the median of its times.
+static void band_write_rows(band_list *to, whirl_spread_of *of) {
+    whirl_spread_at at;
+    whirl_spread_of time = {.field = WHIRL_FIELD_RUNUP_TIME, .above = -INFINITY, .below = INFINITY};
+    of->row = 0;
+    if (!whirl_spread_place(to->result, to->table, of, &at) || at.field->rows < 2) return;
+    fputs(to->first ? ",\"bands\":[" : ",", to->stream);
+    to->first = false;
+    script_text_member(to->stream, '{', "parameter", "time");
+    script_text_member(to->stream, ',', "field", at.field->name);
+    fprintf(to->stream, ",\"which\":%zu,\"column\":%zu,\"samples\":%d", at.which, at.index,
+            to->table->tolerances.samples);
+    script_key(to->stream, ',', "places");
+    fputc('[', to->stream);
+    for (size_t row = 0; row < at.field->rows; row++) {
+        whirl_spread spread = {.samples = 0}, times = {.samples = 0};
+        of->row = time.row = row;
+        to->well = whirl_table_spread(to->result, to->table, of, 0, 0, &spread).code == WHIRL_OK && to->well;
+        to->well = whirl_table_spread(to->result, to->table, &time, 0, 0, &times).code == WHIRL_OK && to->well;
+        fputs(row > 0 ? ",[" : "[", to->stream);
+        script_number(to->stream, times.quantiles[WHIRL_QUANTILES / 2].value);
+        for (size_t q = 0; q < WHIRL_QUANTILES; q++) {
+            fputc(',', to->stream);
+            script_number(to->stream, spread.quantiles[q].value);
+        }
+        fputc(']', to->stream);
+    }
+    fputs("]}", to->stream);
+}
+
+/// Writes the bands of a single run-up with tolerances.
+static void bands_of_run(band_list *to) {
+    for (size_t i = 0; i < sizeof band_rows / sizeof *band_rows; i++)
+        for (size_t s = 0; s < to->result->station_count; s++) {
+            whirl_spread_of of = {.above = -INFINITY, .below = INFINITY};
+            snprintf(of.field, sizeof of.field, "%s", band_rows[i].field);
+            snprintf(of.column, sizeof of.column, "%s", band_rows[i].column);
+            snprintf(of.at, sizeof of.at, "%s", to->result->stations[s].name);
+            band_write_rows(to, &of);
+        }
+}
+
 bool explorer_write_bands(FILE *stream, const whirl_result *result) {
     band_list to = {.stream = stream, .result = result, .first = true, .well = true};
     for (size_t t = 0; t < result->table_count; t++) {
         to.table = &result->tables[t];
         to.count = 0;
         const size_t places = to.table->tolerances.samples > 0 ? whirl_table_places(to.table) : 0;
+        if (places == 1) bands_of_run(&to);
         if (places < 2 || places > MAX_VALUES || !*to.table->parameter) continue;
         whirl_spread_of of;
         for (size_t i = 0; whirl_table_asked(result, to.table, i, &of); i++) band_write(&to, &of);

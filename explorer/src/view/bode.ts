@@ -16,7 +16,16 @@ import { amplitudeMeasure, labelled, metreMeasures, parameterMeasure, shownWhole
 import { AngleField } from './angle_field';
 import type { CampbellListener } from './campbell';
 import type { Table } from './panel';
-import { lineKey, markKey, probeOf, pictureOf, type Key, type RestChart, type RestSubject } from './rest_subject';
+import {
+  lineKey,
+  bandKey,
+  markKey,
+  probeOf,
+  pictureOf,
+  type Key,
+  type RestChart,
+  type RestSubject,
+} from './rest_subject';
 import { Stack } from './stack';
 
 export interface BodeListener extends CampbellListener {
@@ -208,18 +217,7 @@ export class BodeView implements RestChart {
       lineKey('\u254d', 'y', text(probe + 90), DASHES[1], colourOf(1)),
       lineKey('\u2508', 'plain', 'major axis of the orbit', DASHES[2], colourOf(2)),
       markKey('\u25cb', 'plain', 'peak', 'ring', (colours) => colours.ink),
-      ...(this.bands.length > 0
-        ? [
-            markKey(
-              '\u25a8',
-              'plain',
-              'tolerances, in the colours of the lines: 5 to 95 %, 25 to 75 % and median of ' +
-                `${this.bands[0]!.band.samples} samples`,
-              'square',
-              (colours) => colours.band,
-            ),
-          ]
-        : []),
+      ...this.bands.slice(0, 1).map(({ band }) => bandKey(band)),
       ...(this.measured.length > 0
         ? [markKey('\u25cf', 'plain', 'measured, in the colours of the probes', 'dot', (colours) => colours.ink)]
         : []),

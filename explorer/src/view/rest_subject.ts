@@ -69,6 +69,17 @@ export function markKey(sign: string, kind: string, text: string, mark: Mark, of
   };
 }
 
+/// Returns the key of bands of tolerances.
+export function bandKey({ samples }: StoredBand): Key {
+  return markKey(
+    '\u25a8',
+    'plain',
+    `tolerances, in the colours of the lines: 5 to 95 %, 25 to 75 % and median of ${samples} samples`,
+    'square',
+    (colours) => colours.band,
+  );
+}
+
 export function lineKey(
   sign: string,
   kind: string,

@@ -169,6 +169,7 @@ export class RunView {
       units: address.units,
       scales: { ...scales, length: run.lengthScale, speed: run.speed[row] ?? scales.speed },
       measured: session.measuredData,
+      bands: session.run?.bands,
       name: shortName(session.machine),
       label: `${shown(time, 5)} s`,
     };

@@ -1,4 +1,5 @@
 // A run over the time, and over the speed: pairs of charts whose cursors move together.
+import { bandAt, type StoredBand } from '../data/bands';
 import { FIELD } from '../data/fields';
 import type { RunUp } from '../data/runup';
 import { el, select, setChoices, type Choice } from '../dom';
@@ -6,10 +7,11 @@ import { Chart, type Frame, type Range } from '../figure/chart';
 import type { Picture } from '../figure/figure';
 import { drawMeasured, type Spot } from '../figure/measured';
 import type { Pen } from '../figure/pen';
+import { drawQuantiles, reachOfBand } from '../figure/quantiles';
 import type { Theme } from '../figure/theme';
 import { labelled, metreMeasures, parameterMeasure } from '../model/units';
 import type { Table } from './panel';
-import { lineKey, markKey, pictureOf, type Key } from './rest_subject';
+import { bandKey, lineKey, markKey, pictureOf, type Key } from './rest_subject';
 import { drawRows, motionMeasures, scaled, spanOf, type RunSubject } from './run_subject';
 import { Stack, type StackListener } from './stack';
 
@@ -62,6 +64,32 @@ function motionCurves({ run, station, info, units, scales }: RunSubject): readon
     curve(`y at 1X (${amplitude.unit})`, at(1), 1),
     curve(`largest radius (${length.unit})`, largest, 2),
   ];
+}
+
+/// A band of tolerances of a curve of motionCurves, by its index.
+interface CurveBand {
+  readonly index: number;
+  readonly band: StoredBand;
+}
+
+/// Returns the bands of a station over the time. Twists have none.
+function motionBands({ bands, station, info }: RunSubject): readonly CurveBand[] {
+  const places = [
+    [FIELD.RUNUP_AMPLITUDE, 0],
+    [FIELD.RUNUP_AMPLITUDE, 1],
+    [FIELD.RUNUP_RADIUS, 0],
+  ] as const;
+  if (info.twists) return [];
+  return places.flatMap(([field, column], index) => {
+    const band = bandAt(bands, 'time', field, station, column);
+    return band ? [{ index, band }] : [];
+  });
+}
+
+/// Returns the factor from m to the shown unit of a band.
+function bandFactor({ units, scales }: RunSubject, { index }: CurveBand): number {
+  const { length, amplitude } = metreMeasures(units, scales);
+  return (index < 2 ? amplitude : length).factor;
 }
 
 /// Returns the label of the chart of motions.
@@ -189,7 +217,10 @@ abstract class RunPair implements RunChart {
     this.main = new Chart({
       title: upper,
       bareX: true,
-      under: (pen, frame, colours) => this.drawUnder(pen, frame, colours),
+      under: (pen, frame, colours) => {
+        this.drawBands(pen, frame, colours);
+        this.drawUnder(pen, frame, colours);
+      },
       over: (pen, frame, colours) => {
         this.draw(pen, frame, colours, this.upperCurves, Infinity);
         this.drawMeasured(pen, frame, colours, false);
@@ -215,6 +246,17 @@ abstract class RunPair implements RunChart {
   /// Returns measured amplitudes, or lags, of x (axis 0) and y (axis 1) in shown units.
   protected measuredOf(_subject: RunSubject, _lag: boolean): readonly MeasuredSpots[] {
     return [];
+  }
+
+  /// Returns the bands of the upper curves.
+  protected bandsOf(_subject: RunSubject): readonly CurveBand[] {
+    return [];
+  }
+
+  private drawBands(pen: Pen, frame: Frame, colours: Theme): void {
+    const { subject } = this;
+    for (const own of subject ? this.bandsOf(subject) : [])
+      drawQuantiles(pen, frame, own.band, [1, bandFactor(subject!, own)], COLOURS[own.index]!(colours));
   }
 
   private drawMeasured(pen: Pen, frame: Frame, colours: Theme, lag: boolean): void {
@@ -246,7 +288,10 @@ abstract class RunPair implements RunChart {
     const shownRows = (curves: readonly Curve[]) =>
       curves.map((own) => rowsOf(own, subject.run).map((row) => own.values[row]!));
     const spots = this.measuredOf(subject, false).map((each) => each.spots.map(({ y }) => y));
-    this.main.show(this.stack.range, spanOf([...shownRows(this.upperCurves), ...spots]));
+    const reaches = this.bandsOf(subject).map((own) =>
+      reachOfBand(own.band, range).map((value) => value * bandFactor(subject, own)),
+    );
+    this.main.show(this.stack.range, spanOf([...shownRows(this.upperCurves), ...spots, ...reaches]));
     this.lower.show(this.stack.range, lag ? [0, 360] : spanOf(shownRows(this.lowerCurves)));
     this.stack.redraw();
   }
@@ -273,7 +318,9 @@ abstract class RunPair implements RunChart {
     const lower = this.lowerCurves.length > 1 && this.parameter === 'time' ? this.lowerCurves : [];
     const measured = this.subject && this.measuredOf(this.subject, false).length > 0;
     const dots = markKey('\u25cf', 'plain', 'measured 1X, in the colours of x and y', 'dot', (colours) => colours.ink);
-    return [...this.upperCurves.map(keyOf), ...lower.map(keyOf), ...(measured ? [dots] : [])];
+    const bands = this.subject ? this.bandsOf(this.subject) : [];
+    const shades = bands.slice(0, 1).map(({ band }) => bandKey(band));
+    return [...this.upperCurves.map(keyOf), ...lower.map(keyOf), ...(measured ? [dots] : []), ...shades];
   }
 
   picture(): Picture {
@@ -372,6 +419,10 @@ export class RunOverTime extends RunPair {
 
   protected along({ run }: RunSubject): Float64Array {
     return run.time;
+  }
+
+  protected override bandsOf(subject: RunSubject): readonly CurveBand[] {
+    return motionBands(subject);
   }
 
   protected override drawUnder(pen: Pen, frame: Frame, colours: Theme): void {

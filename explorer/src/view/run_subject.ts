@@ -1,4 +1,5 @@
 // Data of the views of a run-up.
+import type { StoredBand } from '../data/bands';
 import type { MeasuredData } from '../data/measured';
 import type { RunUp } from '../data/runup';
 import type { StationInfo } from '../engine/protocol';
@@ -27,6 +28,7 @@ export interface RunSubject {
   readonly units: Units;
   readonly scales: Scales;
   readonly measured: readonly MeasuredData[];
+  readonly bands: readonly StoredBand[] | undefined;
   /// Name of the machine.
   readonly name: string;
   /// Label for files and titles: "12.4 s".
