@@ -11,6 +11,9 @@ function found = whirl_fit(given_case, data, unknown, varargin)
 %   a table: 'noise', a number in metres or a text '2 um'; 'at', a struct of values in SI that parameters had in the
 %   measurement; 'compare', which is 'statistics' for motions that are not periodic.
 %
+%   Of an HDF5 file: 'columns', a cell of headings and datasets, {'time [s]', 't', 'disc x [um]', 'signals[:, 0]'}; of a
+%   data set: 'record', the number of a record.
+%
 %   FOUND has a struct for each unknown, with start, value, error, low and high (95 %), profile ([low high]) and known:
 %   'determined', 'at a bound', 'weak' or 'unknown'; FOUND.result is that of WHIRL_RUN.
 %
@@ -43,10 +46,12 @@ else
 end
 for i = 1:2:numel(varargin)
     value = varargin{i + 1};
-    if any(strcmp(varargin{i}, {'noise', 'at', 'compare'}))
+    if any(strcmp(varargin{i}, {'noise', 'at', 'compare', 'columns', 'record'}))
         if numbers
             error('whirl:badInput', '%s belongs to a table, and onsets and modes have it in their struct', varargin{i});
-        elseif isnumeric(value)
+        elseif strcmp(varargin{i}, 'columns')
+            value = containers.Map(value(1:2:end), value(2:2:end));
+        elseif isnumeric(value) && ~strcmp(varargin{i}, 'record')
             value = sprintf('%.17g m', value);
         end
         item.(varargin{i}) = value;

@@ -20,6 +20,14 @@ found = whirl_fit(machine, data, struct('k', [10e3 90e3], 'e', []), 'tolerance',
 assert([found.k.value found.e.value], [33e3 38e-6], -1e-8);
 assert(found.k.known, 'determined');
 assert(found.k.profile, [found.k.low found.k.high], 0.01 * (found.k.high - found.k.low));
+% A file of Octave's own in HDF5, whose variables are groups with a dataset, gives the same.
+sizes = abs(response);
+lags = -angle(response);
+save('-hdf5', 'bode.h5', 'w', 'sizes', 'lags');
+columns = {'speed [rad/s]', 'w/value', 'disc x [m]', 'sizes/value', 'disc x lag [rad]', 'lags/value'};
+again = whirl_fit(machine, 'bode.h5', struct('k', [10e3 90e3], 'e', []), 'tolerance', 1e-10, 'columns', columns);
+assert([again.k.value again.e.value], [33e3 38e-6], -1e-8);
+wrong(@() whirl_fit(machine, 'bode.h5', struct('k', []), 'record', 3), 'is no data set, which study: dataset makes');
 file = fopen('bode.csv', 'w');
 fprintf(file, 'speed [rad/s], disc x [m], disc x lag [rad]\n');
 fprintf(file, '%.17g, %.17g, %.17g\n', [w abs(response) -angle(response)]');
