@@ -142,6 +142,53 @@ def test_a_record_of_a_data_set_is_fitted_at_once(tmp_path, sampling):
         whirl.fit({**RECORDS, "study": {"response": {}}}, tmp_path / "records.h5", ["k"])
 
 
+RUBS = """
+whirl: 1
+title: Rubs, as a noisy probe sees them
+parameters: {omega: 3000 rpm, gap: 1 mm, k: 4 MN/m, mu: 0.1}
+rotor:
+  speed: = omega
+  length_scale: 0.1 mm
+  stations:
+    disc: {mass: 30 kg, damping: 600 N s/m, eccentricity: 10 um}
+  elements:
+    - spring: {between: [disc, ground], stiffness: = k}
+    - rub:    {at: disc, gap: = gap, stiffness: 20 MN/m, friction: = mu}
+    - gravity: 9.81 m/s2
+study:
+  dataset:
+    machines: 8
+    records: 1
+    samples_per_revolution: 32
+    revolutions: 50
+    vary: {k: +- 10 %}
+    conditions: {omega: {from: 2500 rpm, to: 3000 rpm}}
+    labels:
+      rub: {grade: {gap: {from: 65 um, to: 50 um}}, vary: {mu: {from: 0.05, to: 0.2}}}
+    channels:
+      - {sensor: proximity, at: disc, sensitivity: 7.87 V/mm, gap: 1.27 mm, noise: 5 mV, bits: 16, full_scale: 24 V}
+      - {sensor: proximity, at: disc, angle: 90 deg, sensitivity: 7.87 V/mm, gap: 1.27 mm, noise: 5 mV}
+  integrate: {transient: 400}
+  analyze: [orbit, rub, regime]
+"""
+
+
+def test_gap_and_friction_of_a_rub_are_found(tmp_path):
+    """The gap and the friction of records in contact lie within four standard errors of what was found."""
+    data = whirl.dataset(whirl.Case(text=RUBS, name="rubs.yaml"), tmp_path / "rubs.h5", progress=False)
+    chosen = data.index[(data.index.verdict == "P-1") & (data.index.contact > 0.3)]
+    assert len(chosen) >= 3
+    for record, row in zip(chosen.record[:3], chosen.itertuples()):
+        found = whirl.fit(
+            whirl.Case(text=RUBS, name="rubs.yaml"),
+            {"file": tmp_path / "rubs.h5", "record": int(record), "noise": "0.64 um"},
+            {"gap": ("58 um", "40 um", "90 um"), "mu": (0.01, 0.4)},
+        )
+        for name in ("gap", "mu"):
+            assert abs(found[name].value - getattr(row, name)) < 4.0 * found[name].error, (record, name)
+            assert found[name].error < 0.2 * found[name].value
+
+
 def test_numbers_of_a_result_are_fitted(tmp_path):
     """A sweep's amplitudes, in scales of the case in the file, are those of its machine."""
     study = {"sweep": {"parameter": "n", "from": "60 rad/s", "to": "140 rad/s", "points": 9}, "analyze": ["orbit"]}
