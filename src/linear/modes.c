@@ -9,7 +9,6 @@
 #include "exhausted.h"
 #include "free_motions.h"
 #include "matrix.h"
-#include "matrix_balance.h"
 #include "mean.h"
 #include "modes.h"
 #include "periodic.h"
@@ -19,6 +18,9 @@ static const double rounding = 1e-13;
 
 /// Imaginary parts below this share of an eigenvalue are rounding: two equal real eigenvalues became a pair.
 static const double split = 1e-7;
+
+/// Real parts up to this many times their rounding count as 0.
+static const double roundings = 16.0;
 
 /// An eigenvalue of the matrix as an exponent, and its index.
 typedef struct root {
@@ -75,7 +77,7 @@ whirl_modes *modes_allocate(size_t dimension, size_t count) {
 /// Sets real parts to 0 that are no larger than the rounding of the eigenvalue or of the matrix, noise [count].
 static void drop_rounding(root *roots, size_t count, const double *noise) {
     for (size_t i = 0; i < count; i++)
-        if (fabs(roots[i].real) <= fmax(rounding * fabs(roots[i].imaginary), 16.0 * noise[i])) roots[i].real = 0.0;
+        if (fabs(roots[i].real) <= fmax(rounding * fabs(roots[i].imaginary), roundings * noise[i])) roots[i].real = 0.0;
 }
 
 /// Makes modes from roots. Separates roots with a frequency from roots without; of a pair keeps the root with the
@@ -204,52 +206,49 @@ static int modes_by_size(const void *a, const void *b) {
     return p->place < q->place ? -1 : p->place > q->place;
 }
 
-/// Sorts roots by modulus, the slowest first. Returns the number of roots slower than `most`, which counts both roots
-/// of a pair or neither.
-static size_t sort_slowest(size_t n, const double *real, const double *imaginary, double most, sized *order) {
-    size_t count = 0;
+/// Sorts roots by modulus, the slowest first.
+static void modes_sort_slowest(size_t n, const double *real, const double *imaginary, sized *order) {
     for (size_t i = 0; i < n; i++) order[i] = (sized){hypot(real[i], imaginary[i]), i};
     qsort(order, n, sizeof *order, modes_by_size);
-    while (count < n && order[count].size <= most) count++;
-    if (count > 0 && count < n && order[count].size <= order[count - 1].size * (1.0 + 1e-12)) count++;
-    return count;
 }
 
-/// Recomputes roots near the rounding of the matrix [n][n], s->copy, as the largest roots of its inverse. Roots with
-/// almost no damping are kept, because rounding of the matrix itself decides their real parts; so are the roots of a
-/// singular matrix. Returns false without memory.
-static bool sharpen_slowest(size_t n, solving *s) {
-    static const double near_rounding = 1e4;
-    double *numbers = calloc(n * n + 3 * n + 1, sizeof *numbers);
-    sized *order = calloc(2 * n + 1, sizeof *order), *inverted = order ? order + n : NULL;
-    if (!numbers || !order) {
-        free(numbers);
+/// Returns true if the roots before and from `count` on, sorted, share no pair.
+static bool modes_is_apart(size_t n, const sized *order, size_t count) {
+    return count == 0 || count == n || order[count].size > order[count - 1].size * (1.0 + 1e-12);
+}
+
+/// Replaces the slowest roots, up to the last one that rounding of the matrix [n][n], s->copy, may change in the
+/// seventh digit, and their vectors by those of the inverse. Keeps the roots of a singular matrix. Returns false
+/// without memory.
+static bool modes_sharpen_slowest(size_t n, solving *s) {
+    static const double doubtful = 1e-6;
+    double *block = calloc(2 * n * n + 3 * n + 1, sizeof *block);
+    sized *order = calloc(2 * n + 1, sizeof *order), *sharp = order ? order + n : NULL;
+    if (!block || !order) {
+        free(block);
         free(order);
         return false;
     }
-    // Find the roots that are near the rounding.
-    double *matrix = s->copy, *scale = numbers + n * n, *real = scale + n, *imaginary = real + n, least = INFINITY;
-    for (size_t i = 0; i < n; i++) least = fmin(least, s->noise[i]);
-    const size_t slow = sort_slowest(n, s->real, s->imaginary, near_rounding * least, order);
-    // Compute the roots of the inverse.
-    matrix_balance(n, matrix, scale);
-    for (size_t i = 0; i < n; i++) numbers[i * n + i] = 1.0;
+    double *real = block + 2 * n * n, *imaginary = real + n, *noise = imaginary + n;
+    size_t count = 0;
+    modes_sort_slowest(n, s->real, s->imaginary, order);
+    for (size_t i = 0; i < n; i++)
+        if (s->noise[order[i].place] > doubtful * order[i].size) count = i + 1;
+    if (!modes_is_apart(n, order, count)) count++;
     const int before = exhausted_watch();
-    bool good = slow > 0 && matrix_solve(n, matrix, n, numbers);
-    for (size_t i = 0; i < n && good; i++) // right-hand sides are stored row by row
-        for (size_t k = 0; k < n; k++) matrix[k * n + i] = numbers[i * n + k];
-    good = good && matrix_eigen(n, matrix, real, imaginary, NULL);
-    if (good) sort_slowest(n, real, imaginary, 0.0, inverted);
-    // Replace the slow roots, except those with almost no damping.
-    for (size_t i = 0; i < slow && good; i++) {
-        const size_t from = inverted[n - 1 - i].place, to = order[i].place;
-        const double square = real[from] * real[from] + imaginary[from] * imaginary[from];
-        if (!(fabs(real[from]) > 0.01 * fabs(imaginary[from]))) continue;
-        s->real[to] = real[from] / square;
-        s->imaginary[to] = (0.0 - imaginary[from]) / square;
-        s->noise[to] = 0.0;
+    bool good = count > 0 && matrix_eigen_by_inverse(n, s->copy, real, imaginary, block, noise);
+    if (good) {
+        modes_sort_slowest(n, real, imaginary, sharp);
+        good = modes_is_apart(n, sharp, count);
     }
-    free(numbers);
+    for (size_t i = 0; i < count && good; i++) {
+        const size_t to = order[i].place, from = sharp[i].place;
+        s->real[to] = real[from];
+        s->imaginary[to] = imaginary[from];
+        s->noise[to] = noise[from] / roundings; // a bound, which needs no margin
+        memcpy(s->vectors + 2 * n * to, block + 2 * n * from, 2 * n * sizeof *block);
+    }
+    free(block);
     free(order);
     return !exhausted(before);
 }
@@ -273,7 +272,7 @@ static whirl_status modes_solve(const mean_system *m, double *matrix, double per
     const int before = exhausted_watch();
     solved = solved && matrix_eigen_rounding(left, matrix, s.real, s.imaginary, s.vectors, s.noise);
     const bool no_memory = exhausted(before);
-    if (solved && period == 0.0) allocated = solved = sharpen_slowest(left, &s);
+    if (solved && period == 0.0) allocated = solved = modes_sharpen_slowest(left, &s);
     if (solved) put_back(n, left, zeros, &s);
     // Convert eigenvalues to exponents, and make modes of them.
     for (size_t i = 0; i < left && solved; i++) {

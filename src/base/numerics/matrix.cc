@@ -99,27 +99,20 @@ void write_vector(const Eigen::VectorXcd &v, double *out) {
     }
 }
 
-/// Bounds how far rounding moves each eigenvalue: the norm of the matrix times the rounding unit. For slow modes with
-/// hardly any damping it is multiplied by the condition of the eigenvalue, the length of its row in the inverse of the
-/// matrix of eigenvectors (Golub, Van Loan 2013, 7.2.2).
+/// Bounds how far rounding moves each eigenvalue: the norm of the matrix times the rounding unit. For slow modes it is
+/// multiplied by the condition of the eigenvalue, the length of its row in the inverse of the matrix of eigenvectors
+/// (Golub, Van Loan 2013, 7.2.2).
 void write_rounding(const RowMajor &balanced, const Eigen::EigenSolver<MatrixXd> &solver, double *rounding) {
-    static const double fast = 1e-3, free = 0.01;
+    static const double fast = 1e-3;
     const Index n = balanced.rows();
     const double one = std::numeric_limits<double>::epsilon() * balanced.norm();
-    const double fastest = solver.eigenvalues().cwiseAbs().maxCoeff();
-    bool any = false;
-    const auto slow = [&](Index i) {
-        const std::complex<double> value = solver.eigenvalues()(i);
-        return std::abs(value.imag()) < fast * fastest && std::abs(value.real()) < free * std::abs(value.imag());
-    };
-    for (Index i = 0; i < n; i++) {
-        rounding[i] = one;
-        any = any || slow(i);
-    }
-    if (!any) return;
+    const VectorXd sizes = solver.eigenvalues().cwiseAbs();
+    const double least = fast * sizes.maxCoeff();
+    Eigen::Map<VectorXd>(rounding, n).setConstant(one);
+    if (!(sizes.minCoeff() < least)) return;
     const Eigen::MatrixXcd inverse = solver.eigenvectors().partialPivLu().inverse();
     for (Index i = 0; i < n; i++)
-        if (slow(i)) rounding[i] = one * inverse.row(i).norm();
+        if (sizes(i) < least) rounding[i] = one * inverse.row(i).norm();
 }
 
 bool eigen(Index n, double *a, double *real, double *imaginary, double *vectors, double *rounding) {
@@ -144,6 +137,31 @@ bool solve(MatrixXd &a, Columns &b) {
     if (!(a.diagonal().cwiseAbs().minCoeff() > 0.0)) return false;
     b = factors.solve(b).eval();
     return b.allFinite();
+}
+
+bool eigen_by_inverse(Index n, const double *a, double *real, double *imaginary, double *vectors, double *rounding) {
+    VectorXd scale(n);
+    RowMajor balanced = ConstRows(a, n, n);
+    if (!balanced.allFinite()) return false;
+    matrix_balance(static_cast<size_t>(n), balanced.data(), scale.data());
+    MatrixXd factored = balanced, inverse = MatrixXd::Identity(n, n);
+    Columns sides(inverse.data(), n, n);
+    if (!solve(factored, sides)) return false;
+    const Eigen::EigenSolver<MatrixXd> solver(inverse);
+    if (solver.info() != Eigen::Success) return false;
+    const Eigen::MatrixXcd columns = solver.eigenvectors(), rows = columns.partialPivLu().inverse();
+    const MatrixXd sizes = balanced.cwiseAbs();
+    for (Index i = 0; i < n; i++) {
+        const std::complex<double> value = solver.eigenvalues()(i);
+        const double square = std::norm(value);
+        real[i] = value.real() / square;
+        imaginary[i] = (0.0 - value.imag()) / square;
+        const VectorXd moved = sizes * columns.col(i).cwiseAbs();
+        rounding[i] = std::numeric_limits<double>::epsilon() * rows.row(i).cwiseAbs().dot(moved);
+        write_vector(scale.asDiagonal() * columns.col(i), vectors + 2 * n * i);
+        if (!std::isfinite(real[i]) || !std::isfinite(imaginary[i])) return false;
+    }
+    return columns.allFinite();
 }
 
 /// Solves with real and imaginary parts, [A, -B; B, A], so that all divisions are of real numbers.
@@ -185,6 +203,11 @@ bool matrix_eigen(size_t n, double *a, double *real, double *imaginary, double *
 
 bool matrix_eigen_rounding(size_t n, double *a, double *real, double *imaginary, double *vectors, double *rounding) {
     return n == 0 || attempt([&] { return eigen(index_of(n), a, real, imaginary, vectors, rounding); });
+}
+
+bool matrix_eigen_by_inverse(size_t n, const double *a, double *real, double *imaginary, double *vectors,
+                             double *rounding) {
+    return n == 0 || attempt([&] { return eigen_by_inverse(index_of(n), a, real, imaginary, vectors, rounding); });
 }
 
 bool matrix_hessenberg(size_t n, double *a, double *q) {
