@@ -218,8 +218,8 @@ static bool modes_is_apart(size_t n, const sized *order, size_t count) {
 }
 
 /// Replaces the slowest roots, up to the last one that rounding of the matrix [n][n], s->copy, may change in the
-/// seventh digit, and their vectors by those of the inverse. Keeps the roots of a singular matrix. Returns false
-/// without memory.
+/// seventh digit, and their vectors by those of the inverse. Keeps the roots of a matrix that is singular to rounding.
+/// Returns false without memory.
 static bool modes_sharpen_slowest(size_t n, solving *s) {
     static const double doubtful = 1e-6;
     double *block = calloc(2 * n * n + 3 * n + 1, sizeof *block);
@@ -240,6 +240,8 @@ static bool modes_sharpen_slowest(size_t n, solving *s) {
     if (good) {
         modes_sort_slowest(n, real, imaginary, sharp);
         good = modes_is_apart(n, sharp, count);
+        // A root within its rounding is 0 for all that is known: the matrix is singular, and its inverse means nothing.
+        for (size_t i = 0; i < count; i++) good = good && sharp[i].size > noise[sharp[i].place];
     }
     for (size_t i = 0; i < count && good; i++) {
         const size_t to = order[i].place, from = sharp[i].place;
