@@ -46,6 +46,9 @@ static machine_choice choose(const whirl_batch *batch) {
                              .placed = batch->placed,
                              .stages = 1.0,
                              .in_time = plan_moves(batch),
+                             .spool_count = batch->spool_count,
+                             .spool_speeds = batch->spool_speeds,
+                             .spools_vary = batch->spools_vary,
                              .asynchronous = batch->asynchronous,
                              .frequency = batch->frequency};
     if (batch->variant == WHIRL_WITH_STAGES) choice.drag = WHIRL_DRAG_STAGES, choice.stages = batch->variant_value;
@@ -119,6 +122,11 @@ static whirl_status check_change(const case_content *content, const whirl_batch 
     return status;
 }
 
+/// Returns the length of a run, s; 0 if it is that of its table of speeds.
+static double run_length(const whirl_runup_options *options) {
+    return options->duration > 0.0 || options->rate > 0.0 ? whirl_runup_duration(options) : 0.0;
+}
+
 /// Makes the course of a run, and checks it and the options against the rotor.
 static whirl_status make_run(const case_content *content, const whirl_batch *batch, double value, valuation *v,
                              member *m) {
@@ -133,6 +141,8 @@ static whirl_status make_run(const case_content *content, const whirl_batch *bat
     // Machines within a run, after events or at other speeds, have no course of their own.
     if (status.code != WHIRL_OK || !parts || batch->happened_count > 0 || batch->speed != 0.0) return status;
     status = course_make(parts, &content->machine, v, whirl_rotor_length_scale(m->rotor), &m->course);
+    if (status.code == WHIRL_OK)
+        status = course_make_shafts(parts, v, whirl_rotor_system(m->rotor), run_length(options), m->course);
     if (status.code == WHIRL_OK && batch->dataset) {
         const plan_origin *origin = &content->plan.origins[plan_batch(&content->plan, batch->name)];
         m->recorded = true;

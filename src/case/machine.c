@@ -338,6 +338,8 @@ static whirl_status make_chosen_design(const machine_parts *machine, valuation *
     if (status.code != WHIRL_OK) return status;
     whirl_design_unbalances(*design, choice->placed_count, choice->placed);
     if (choice->in_time) whirl_design_in_time(*design);
+    if (choice->spool_count > 0)
+        whirl_design_spools(*design, choice->spool_count, choice->spool_speeds, choice->spools_vary);
     if (choice->asynchronous) whirl_design_frequency(*design, choice->frequency);
     whirl_design_drag(*design, choice->drag, choice->drag_at, choice->stages);
     return status;

@@ -43,6 +43,9 @@ typedef struct machine_choice {
     size_t drag_at;             ///< station of the seals and impellers, if only one station's are included
     double stages;              ///< factor of stages
     bool in_time;               ///< the machine is to move: coefficients over the frequency of whirl get states
+    size_t spool_count;         ///< speeds of the shafts that have their own; 0: those of their keys
+    const double *spool_speeds; ///< [spool_count] as in whirl_design_spools
+    bool spools_vary;           ///< likewise
     bool asynchronous;          ///< true: coefficients that depend on the frequency of whirl are those at `frequency`
     double frequency;           ///< frequency of whirl, rad/s
 } machine_choice;

@@ -122,14 +122,30 @@ static const char *course_read_formula(case_reader *reader, const file_node *whe
 
 // ---------------------------------------------------------------- reading
 
-/// Columns of files with tables: the time, and the quantities that a run can have over it.
-enum { COLUMN_TIME, COLUMN_SPEED, COLUMN_RATE, COLUMN_TORQUE, COLUMN_LOAD, COLUMN_GROUND_X, COLUMN_GROUND_Y, COLUMNS };
+/// Columns of files with tables: the time, and the quantities that a run can have over it; then the rotor's speed, and
+/// the speed of another shaft over it.
+enum {
+    COLUMN_TIME,
+    COLUMN_SPEED,
+    COLUMN_RATE,
+    COLUMN_TORQUE,
+    COLUMN_LOAD,
+    COLUMN_GROUND_X,
+    COLUMN_GROUND_Y,
+    COLUMN_ROTOR,
+    COLUMN_BY_ROTOR,
+    COLUMNS
+};
 #define COLUMN(index, word, si) [index] = {.name = (word), .unit = (si), .range = WHIRL_ANY}
-static const whirl_key columns[COLUMNS] = {
-    COLUMN(COLUMN_TIME, "time", "s"),           COLUMN(COLUMN_SPEED, "speed", "rad/s"),
-    COLUMN(COLUMN_RATE, "rate", "rad/s2"),      COLUMN(COLUMN_TORQUE, "torque", "N m"),
-    COLUMN(COLUMN_LOAD, "load", "N m"),         COLUMN(COLUMN_GROUND_X, "ground_x", "m/s2"),
-    COLUMN(COLUMN_GROUND_Y, "ground_y", "m/s2")};
+static const whirl_key columns[COLUMNS] = {COLUMN(COLUMN_TIME, "time", "s"),
+                                           COLUMN(COLUMN_SPEED, "speed", "rad/s"),
+                                           COLUMN(COLUMN_RATE, "rate", "rad/s2"),
+                                           COLUMN(COLUMN_TORQUE, "torque", "N m"),
+                                           COLUMN(COLUMN_LOAD, "load", "N m"),
+                                           COLUMN(COLUMN_GROUND_X, "ground_x", "m/s2"),
+                                           COLUMN(COLUMN_GROUND_Y, "ground_y", "m/s2"),
+                                           COLUMN(COLUMN_ROTOR, "rotor_speed", "rad/s"),
+                                           COLUMN(COLUMN_BY_ROTOR, "shaft_speed", "rad/s")};
 static const whirl_group columns_group = {
     "course_table", "a table over the time of a run", "", columns, COLUMNS, NULL, NULL};
 
@@ -160,26 +176,28 @@ static void course_read_rows(case_reader *reader, const file_node *list, const f
                              course_table *table) {
     // Make memory for the rows.
     char shown[SHOWN_SIZE];
+    const size_t over = column == COLUMN_BY_ROTOR ? COLUMN_ROTOR : COLUMN_TIME;
     table->rows = arena_take(reader->arena, list->count * sizeof *table->rows);
     reader->no_memory = reader->no_memory || !table->rows;
     // Find both cells of each row: a pair in the case, or two columns of the file.
     for (const file_node *row = list->first; row && table->rows; row = row->next) {
         const bool paired = !filed && row->kind == NODE_LIST && row->count == 2;
-        const file_node *cells[] = {filed ? course_cell(row, COLUMN_TIME) : row->first,
+        const file_node *cells[] = {filed ? course_cell(row, over) : row->first,
                                     filed ? course_cell(row, column) : row->last};
         if (filed ? !cells[0] || !cells[1] : !paired) {
             if (filed)
-                problem_in_file(reader->problems, row->line, 1, "has no %s, expected the columns time and %s",
-                                cells[0] ? columns[column].name : "time", columns[column].name);
+                problem_in_file(reader->problems, row->line, 1, "has no %s, expected the columns %s and %s",
+                                cells[0] ? columns[column].name : columns[over].name, columns[over].name,
+                                columns[column].name);
             else
-                problem_at(reader->problems, row, "is %s, expected a pair [time, %s]", node_shown(row, shown),
-                           columns[column].name);
+                problem_at(reader->problems, row, "is %s, expected a pair [%s, %s]", node_shown(row, shown),
+                           columns[over].name, columns[column].name);
             return;
         }
         // Read the formulas of both cells.
         course_row *own = &table->rows[table->count++];
         own->place = filed ? filed : row;
-        if (!formula_read(reader, cells[0], &columns[COLUMN_TIME], &own->time) ||
+        if (!formula_read(reader, cells[0], &columns[over], &own->time) ||
             !formula_read(reader, cells[1], &columns[column], &own->value))
             return;
     }
@@ -189,7 +207,8 @@ static void course_read_rows(case_reader *reader, const file_node *list, const f
 static void course_read_table(case_reader *reader, const file_node *where, size_t column, course_table *table) {
     char shown[SHOWN_SIZE];
     const bool filed = where->kind == NODE_TEXT;
-    const size_t most = column == COLUMN_SPEED || !filed ? WHIRL_MAX_SPEEDS : MAX_FILE_ROWS;
+    const bool by_rotor = column == COLUMN_BY_ROTOR;
+    const size_t most = column == COLUMN_SPEED || by_rotor || !filed ? WHIRL_MAX_SPEEDS : MAX_FILE_ROWS;
     whirl_problems problems = {0};
     case_reader own = {.arena = reader->arena, .problems = &problems, .parameters = reader->parameters};
     const file_node *list = filed ? course_read_file(reader, where, &own) : where;
@@ -200,9 +219,9 @@ static void course_read_table(case_reader *reader, const file_node *where, size_
     } else if (filed) {
         problem_at(reader->problems, where, "has %zu rows, expected 2 to %zu", list->count, most);
     } else if (list->kind != NODE_LIST || list->count < 2 || list->count > most) {
-        problem_at(reader->problems, where, "is %s, expected 2 to %zu pairs [time, %s], or a file",
+        problem_at(reader->problems, where, "is %s, expected 2 to %zu pairs [%s, %s], or a file",
                    where->kind == NODE_LIST ? "a list of another length" : node_shown(where, shown), most,
-                   columns[column].name);
+                   columns[by_rotor ? COLUMN_ROTOR : COLUMN_TIME].name, columns[column].name);
     } else {
         course_read_rows(reader, list, NULL, column, table);
     }
@@ -249,6 +268,45 @@ static void course_read_after(case_reader *reader, course_parts *course, course_
                node_shown(after->place, shown), count > 0 ? advice : "expected one with a name");
 }
 
+/// Returns the index of the shaft of a name among those with a speed of their own; their number if there is none.
+static size_t course_shaft_named(const course_parts *course, const char *name) {
+    size_t i = 0;
+    while (i < course->shaft_count && strcmp(course->shafts[i].name, name) != 0) i++;
+    return i;
+}
+
+/// Reports a name that is no shaft with a speed of its own.
+static void course_report_shaft(case_reader *reader, const course_parts *course, const machine_parts *machine,
+                                const file_node *where, const char *name, bool key) {
+    char advice[WHY_SIZE], shown[SHOWN_SIZE], text[2 * WHY_SIZE];
+    const char *names[WHIRL_MAX_SPOOLS];
+    for (size_t i = 0; i < course->shaft_count; i++) names[i] = course->shafts[i].name;
+    describe_names(name, names, course->shaft_count, advice);
+    if (named_find(&machine->shafts, name) < machine->shafts.count)
+        snprintf(text, sizeof text,
+                 "is %s, a shaft whose speed follows the rotor's, expected one with the key speed in "
+                 "rotor.shafts, in place of ratio",
+                 text_shown(name, shown));
+    else
+        snprintf(text, sizeof text, "is %s, which is no shaft, %s", text_shown(name, shown),
+                 course->shaft_count > 0 ? advice : "expected a shaft of rotor.shafts with the key speed");
+    if (key)
+        problem_at_key(reader->problems, where, "%s", text);
+    else
+        problem_at(reader->problems, where, "%s", text);
+}
+
+/// Reads the shaft of an event.
+static void course_read_event_shaft(case_reader *reader, const machine_parts *machine, const course_parts *course,
+                                    course_event *own) {
+    const setting *shaft = settings_find(&own->keys, "shaft");
+    if (!shaft || !shaft->word) return;
+    own->spool = course_shaft_named(course, shaft->word) + 1;
+    if (own->spool <= course->shaft_count) return;
+    own->spool = 0;
+    course_report_shaft(reader, course, machine, shaft->place, shaft->word, false);
+}
+
 static void course_read_event(case_reader *reader, const file_node *where, const machine_parts *machine,
                               course_parts *course) {
     // Read the keys of the event.
@@ -271,6 +329,7 @@ static void course_read_event(case_reader *reader, const file_node *where, const
     if (!at != !moment)
         problem_at_key(reader->problems, where, "has %s, expected loss_at and loss_moment together",
                        at ? "loss_at alone" : "loss_moment alone");
+    course_read_event_shaft(reader, machine, course, own);
     own->trip = settings_yes(&own->keys, "trip");
     own->end = settings_yes(&own->keys, "end");
     // Refuse events without a condition or an effect.
@@ -294,6 +353,77 @@ static void course_read_events(case_reader *reader, const file_node *where, cons
     for (const file_node *one = where->first; one; one = one->next) course_read_event(reader, one, machine, course);
 }
 
+/// Finds the shafts with a speed of their own.
+static void course_find_shafts(const machine_parts *machine, course_parts *course) {
+    for (size_t i = 0; i < machine->shafts.count && course->shaft_count < WHIRL_MAX_SPOOLS; i++)
+        if (settings_find(&machine->shafts.items[i], "speed"))
+            course->shafts[course->shaft_count++] = (course_shaft){.name = machine->shafts.names[i]};
+}
+
+/// Returns true if a drive turns a shaft.
+static bool course_has_drive(const machine_parts *machine, const char *shaft) {
+    for (size_t i = 0; i < machine->element_count; i++) {
+        const setting *own = settings_find(&machine->elements[i], "shaft");
+        if (strcmp(machine->elements[i].name, "drive") == 0 && own && own->word && strcmp(own->word, shaft) == 0)
+            return true;
+    }
+    return false;
+}
+
+/// Reads the laws of a shaft with a speed of its own.
+static void course_read_shaft(case_reader *reader, const file_node *where, const machine_parts *machine,
+                              course_shaft *own) {
+    static const char *const given[] = {"rate", "speeds", "speed_law"};
+    static const char *const torques[] = {"torque_law", "load_law"};
+    own->place = where;
+    settings_read(reader, where, &schema_shaft_run, &own->keys);
+    // One law gives the speed, or a drive turns the shaft.
+    const char *first = NULL;
+    for (size_t i = 0; i < sizeof given / sizeof *given; i++) {
+        if (!settings_find(&own->keys, given[i])) continue;
+        if (first)
+            problem_at_key(reader->problems, where, "has %s and %s, expected one of rate, speeds and speed_law", first,
+                           given[i]);
+        first = given[i];
+    }
+    for (size_t i = 0; i < sizeof torques / sizeof *torques; i++)
+        if (first && settings_find(&own->keys, torques[i]))
+            problem_at_key(reader->problems, where,
+                           "has %s and %s, expected one of them: a law of the speed, or a drive", first, torques[i]);
+    if (!first && !course_has_drive(machine, own->name))
+        problem_at_key(
+            reader->problems, where,
+            "has nothing that turns it, expected rate, speeds or speed_law, or an element drive with shaft: %s",
+            own->name);
+    // Read the table or the formulas.
+    const setting *speeds = settings_find(&own->keys, "speeds"), *law = settings_find(&own->keys, "speed_law");
+    if (speeds) course_read_table(reader, speeds->place, COLUMN_SPEED, &own->speeds);
+    own->by_rotor = law && !(law->place->kind == NODE_TEXT && *law->place->text == '=');
+    if (own->by_rotor) course_read_table(reader, law->place, COLUMN_BY_ROTOR, &own->speeds);
+    if (law && !own->by_rotor) own->formulas[WHIRL_SPOOL_SPEED] = course_read_formula(reader, law->place, NULL);
+    for (size_t i = 0; i < sizeof torques / sizeof *torques; i++) {
+        const setting *torque = settings_find(&own->keys, torques[i]);
+        if (torque) own->formulas[WHIRL_SPOOL_MOTOR + i] = course_read_formula(reader, torque->place, NULL);
+    }
+}
+
+static void course_read_shafts(case_reader *reader, const file_node *where, const machine_parts *machine,
+                               course_parts *course) {
+    char shown[SHOWN_SIZE];
+    if (where->kind != NODE_MAPPING || where->count == 0) {
+        problem_at(reader->problems, where, "is %s, expected names of shafts with their laws",
+                   where->kind == NODE_MAPPING ? "empty" : node_shown(where, shown));
+        return;
+    }
+    for (const file_node *one = where->first; one; one = one->next) {
+        const size_t k = course_shaft_named(course, one->key);
+        if (k < course->shaft_count)
+            course_read_shaft(reader, one, machine, &course->shafts[k]);
+        else
+            course_report_shaft(reader, course, machine, one, one->key, true);
+    }
+}
+
 /// Sets the text that results store for a key whose value is a list.
 static void course_say(case_reader *reader, setting_list *keys, const char *key, const char *text) {
     for (size_t i = 0; i < keys->count; i++)
@@ -306,13 +436,16 @@ const course_parts *course_read(case_reader *reader, const machine_parts *machin
     const setting *change = settings_find(keys, "change"), *events = settings_find(keys, "events");
     const setting *speeds = settings_find(keys, "speeds");
     char text[WHIRL_NAME_SIZE];
-    bool any = change || events || speeds;
+    const setting *shafts = settings_find(keys, "shafts");
+    course_parts found = {.event_count = 0};
+    course_find_shafts(machine, &found);
+    bool any = change || events || speeds || shafts || found.shaft_count > 0;
     for (size_t i = 0; i < sizeof laws / sizeof *laws; i++) any = any || settings_find(keys, laws[i]);
     if (!any) return NULL;
     course_parts *course = arena_take(reader->arena, sizeof *course);
     reader->no_memory = reader->no_memory || !course;
     if (!course) return NULL;
-    *course = (course_parts){.event_count = 0};
+    *course = found;
     // A change of the whole run is an event without a condition.
     if (change) {
         course_event *own = &course->events[course->event_count++];
@@ -323,7 +456,8 @@ const course_parts *course_read(case_reader *reader, const machine_parts *machin
                               .alone = true};
         plan_read_change(reader, keys, &own->change);
     }
-    // Read events, the table of speeds, and laws as formulas or tables.
+    // Read the laws of shafts with a speed of their own, events, the table of speeds, and laws as formulas or tables.
+    if (shafts) course_read_shafts(reader, shafts->place, machine, course);
     if (events) course_read_events(reader, events->place, machine, course);
     if (speeds) course_read_table(reader, speeds->place, COLUMN_SPEED, &course->speeds);
     for (size_t i = 0; i < sizeof laws / sizeof *laws; i++) {
@@ -346,6 +480,16 @@ const course_parts *course_read(case_reader *reader, const machine_parts *machin
         snprintf(text, sizeof text, "%zu speeds", course->speeds.count);
     course_say(reader, keys, "speeds", text);
     return course;
+}
+
+void course_name_shafts(const course_parts *parts, whirl_runup_options *options) {
+    options->shaft_count = (int)parts->shaft_count;
+    *options->shafts = '\0';
+    for (size_t k = 0; k < parts->shaft_count; k++) {
+        const size_t used = strlen(options->shafts);
+        snprintf(options->shafts + used, sizeof options->shafts - used, "%s%s", k > 0 ? " " : "",
+                 parts->shafts[k].name);
+    }
 }
 
 // ---------------------------------------------------------------- values
@@ -462,6 +606,7 @@ static void course_make_event(valuation *v, const course_event *own, size_t stat
     const bool rises = strcmp(passing, "rising") == 0, falls = strcmp(passing, "falling") == 0;
     *out = (whirl_run_event){.time = course_number(v, own, "time"),
                              .speed = course_number(v, own, "speed"),
+                             .spool = own->spool,
                              .passing = rises   ? 1
                                         : falls ? -1
                                                 : 0,
@@ -516,6 +661,93 @@ static whirl_status course_make_speeds(const course_parts *parts, valuation *v, 
     return status;
 }
 
+/// Evaluates the table of a shaft.
+static whirl_status course_make_shaft_table(const course_shaft *from, valuation *v, whirl_spool_course *out) {
+    whirl_status status = whirl_ok();
+    out->count = from->speeds.count;
+    for (size_t i = 0; i < out->count && status.code == WHIRL_OK; i++) {
+        status = valuation_number(v, &from->speeds.rows[i].time, &out->at[i]);
+        if (status.code == WHIRL_OK) status = valuation_number(v, &from->speeds.rows[i].value, &out->speeds[i]);
+        if (status.code != WHIRL_OK) return status;
+        if (i == 0 && !from->by_rotor && out->at[0] != 0.0)
+            return whirl_fail(WHIRL_BAD_INPUT, "the speeds of shaft '%s' begin at %.6g s, expected 0", from->name,
+                              out->at[0]);
+        if (i > 0 && !(out->at[i] > out->at[i - 1]))
+            return whirl_fail(WHIRL_BAD_INPUT,
+                              "the speeds of shaft '%s' have %.6g %s after a larger one, expected "
+                              "them to rise",
+                              from->name, out->at[i], from->by_rotor ? "rad/s of the rotor" : "s");
+        if (!(out->speeds[i] >= 0.0))
+            return whirl_fail(WHIRL_BAD_INPUT, "the speed of shaft '%s' is %.6g rad/s, expected one not below 0",
+                              from->name, out->speeds[i]);
+        out->highest = fmax(out->highest, out->speeds[i]);
+    }
+    if (!from->by_rotor) out->from = out->speeds[0];
+    return status;
+}
+
+/// Evaluates a number of a shaft's law.
+static whirl_status course_shaft_number(const course_shaft *from, const char *key, valuation *v, double *out) {
+    const setting *given = settings_find(&from->keys, key);
+    *out = 0.0;
+    return given ? valuation_number(v, &given->value, out) : whirl_ok();
+}
+
+static whirl_status course_make_shaft(const course_shaft *from, const whirl_spool *spool, double duration, valuation *v,
+                                      whirl_spool_course *out) {
+    *out = (whirl_spool_course){.law = WHIRL_SPOOL_RATE, .from = spool->speed, .highest = spool->speed};
+    if (!from->place) return whirl_ok();
+    whirl_status status = course_shaft_number(from, "speed_from", v, &out->from);
+    if (status.code == WHIRL_OK) status = course_shaft_number(from, "speed_to", v, &out->to);
+    if (status.code == WHIRL_OK) status = course_shaft_number(from, "rate", v, &out->rate);
+    if (status.code != WHIRL_OK) return status;
+    out->highest = fmax(out->from, out->to);
+    if (from->speeds.count > 0) {
+        if (out->from > 0.0 || out->to > 0.0)
+            return whirl_fail(WHIRL_BAD_INPUT, "shaft '%s' has a table of its speed and %s, expected one of them",
+                              from->name, out->from > 0.0 ? "speed_from" : "speed_to");
+        out->law = from->by_rotor ? WHIRL_SPOOL_BY_ROTOR : WHIRL_SPOOL_BY_TIME;
+        return course_make_shaft_table(from, v, out);
+    }
+    if (from->formulas[WHIRL_SPOOL_SPEED]) {
+        out->law = WHIRL_SPOOL_BY_FORMULA;
+        if (out->to == 0.0)
+            status = whirl_fail(WHIRL_BAD_INPUT, "shaft '%s' has speed_law and no highest speed, expected speed_to",
+                                from->name);
+        return status;
+    }
+    if (settings_find(&from->keys, "rate")) {
+        if (out->to == 0.0) out->highest = out->from + out->rate * duration;
+        if (out->rate > 0.0 && out->to > 0.0 && out->to == out->from)
+            status = whirl_fail(WHIRL_BAD_INPUT, "shaft '%s' begins and ends at %.10g rad/s, expected two speeds",
+                                from->name, out->to);
+        return status;
+    }
+    // Its drive turns it.
+    out->law = WHIRL_SPOOL_DRIVEN;
+    if (!from->formulas[WHIRL_SPOOL_MOTOR]) out->highest = fmax(out->highest, spool->drive_speed);
+    if (!(out->highest > 0.0))
+        status =
+            whirl_fail(WHIRL_BAD_INPUT, "the highest speed of shaft '%s' is not known, expected speed_to", from->name);
+    return status;
+}
+
+whirl_status course_make_shafts(const course_parts *parts, valuation *v, const whirl_system *system, double duration,
+                                course_run *run) {
+    whirl_run_course *out = &run->shown;
+    whirl_status status = whirl_ok();
+    out->spool_count = parts->shaft_count;
+    if (out->spool_count != system->spool_count) out->spool_count = 0;
+    const double length = out->speed_count > 0 && duration == 0.0 ? out->speed_times[out->speed_count - 1] : duration;
+    for (size_t k = 0; k < out->spool_count && status.code == WHIRL_OK; k++) {
+        status = course_make_shaft(&parts->shafts[k], &system->spools[k], length, v, &out->spools[k]);
+        if (status.code == WHIRL_OK && !(out->spools[k].highest > 0.0))
+            status = whirl_fail(WHIRL_BAD_INPUT, "shaft '%s' never turns in the run, expected a speed above 0",
+                                parts->shafts[k].name);
+    }
+    return status;
+}
+
 whirl_status course_make(const course_parts *parts, const machine_parts *machine, valuation *v, double length,
                          course_run **out) {
     // Make memory: values of parameters and variables one after the other, and their names.
@@ -553,6 +785,14 @@ whirl_status course_make(const course_parts *parts, const machine_parts *machine
             status =
                 course_add_formula(run, WHIRL_FORMULA_EVENT + (whirl_run_formula)i, "when", own->when, names, count);
     }
+    for (size_t k = 0; k < parts->shaft_count && status.code == WHIRL_OK; k++)
+        for (size_t i = 0; i < WHIRL_SPOOL_FORMULAS && status.code == WHIRL_OK; i++) {
+            static const char *const formula_keys[] = {"speed_law", "torque_law", "load_law"};
+            const size_t formula = WHIRL_FORMULA_SPOOL + WHIRL_SPOOL_FORMULAS * k + i;
+            if (parts->shafts[k].formulas[i])
+                status = course_add_formula(run, (whirl_run_formula)formula, formula_keys[i],
+                                            parts->shafts[k].formulas[i], names, count);
+        }
     free(names);
     free(texts);
     return status;
@@ -607,8 +847,12 @@ bool course_check(case_reader *reader, valuation *v, const course_parts *parts) 
             good = plan_formula_value(reader, v, own->change.places[k], &own->change.values[k], &value) && good;
         }
     }
-    for (size_t i = 0; i <= WHIRL_FORMULA_EVENT; i++) {
-        const course_table *own = i < WHIRL_FORMULA_EVENT ? &parts->tables[i] : &parts->speeds;
+    for (size_t k = 0; k < parts->shaft_count; k++)
+        if (parts->shafts[k].place) good = settings_check(reader, v, &parts->shafts[k].keys) && good;
+    for (size_t i = 0; i <= WHIRL_FORMULA_EVENT + parts->shaft_count; i++) {
+        const course_table *own = i < WHIRL_FORMULA_EVENT    ? &parts->tables[i]
+                                  : i == WHIRL_FORMULA_EVENT ? &parts->speeds
+                                                             : &parts->shafts[i - WHIRL_FORMULA_EVENT - 1].speeds;
         for (size_t k = 0; k < own->count && good; k++) {
             double value;
             good = plan_formula_value(reader, v, own->rows[k].place, &own->rows[k].time, &value);

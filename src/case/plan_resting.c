@@ -243,6 +243,7 @@ static void finish_resting(case_reader *reader, valuation *v, const resting_part
     batch->integrate = whirl_integrate_default();
     batch->record = resting_options(v, resting, &batch->integrate);
     if (resting->course) batch->record.runup.event_count = (int)resting->course->event_count;
+    if (resting->course) course_name_shafts(resting->course, &batch->record.runup);
     check_running(reader, resting, &batch->record);
     check_placed(reader, resting, &batch->record);
     plan_choose_analyses(batch, own, false);

@@ -241,6 +241,8 @@ static const whirl_key event_keys[] = {
     NUMBER_KEY("time", "", "s", OPTIONAL, WHIRL_NOT_NEGATIVE,
                "time of the event since the beginning of the run, or since the event that `after` names"),
     NUMBER_KEY("speed", "", "rad/s", OPTIONAL, WHIRL_POSITIVE, "the event happens when the speed passes this value"),
+    CHOICE_KEY("shaft", OPTIONAL, "",
+               "shaft with a speed of its own, whose speed and motor are meant; absent: the rotor's"),
     CHOICE_KEY("passing", DEFAULT("either"), "rising|falling|either", "sense in which the speed passes the value"),
     CHOICE_KEY(
         "when", OPTIONAL, "",
@@ -255,6 +257,22 @@ static const whirl_key event_keys[] = {
     ANGLE_KEY("loss_angle", "", "loss_at",
               "angle of the unbalance that the lost blade leaves, on the shaft from its mark, as for other unbalances"),
     CHOICE_KEY("change", OPTIONAL, "", "names of parameters with the values that they have from then on"),
+};
+
+static const whirl_key shaft_run_keys[] = {
+    NUMBER_KEY("speed_from", "", "rad/s", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "speed at the beginning; 0: at rest"),
+    NUMBER_KEY("speed_to", "", "rad/s", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
+               "speed at which the rate ends and the speed stays; with speed_law as a formula, and with a drive, the "
+               "highest speed"),
+    NUMBER_KEY("rate", "", "rad/s2", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "constant rate of the speed, up or down"),
+    CHOICE_KEY("speeds", OPTIONAL, "", "the speed over the time: a list of [time, speed], straight between, or a file"),
+    CHOICE_KEY(
+        "speed_law", OPTIONAL, "",
+        "the speed by that of the rotor: a formula of time and speed (of the rotor) in SI, or a list of [speed of "
+        "the rotor, speed] with monotone cubics between"),
+    CHOICE_KEY("torque_law", OPTIONAL, "",
+               "the torque of the motor of its drive, N m, as a formula of time and its own speed"),
+    CHOICE_KEY("load_law", OPTIONAL, "", "the torque of the load of its drive, N m, as such a formula"),
 };
 
 static const whirl_key starts_keys[] = {
@@ -412,6 +430,9 @@ const whirl_group schema_branch =
 const whirl_group schema_curves = GROUP("curves", "curves of special points over two parameters", curves_keys, NULL);
 const whirl_group schema_initial = PART("initial", "the state that a station starts from", of_probe);
 const whirl_group schema_event = GROUP("event", "an event of a run-up", event_keys, NULL);
+const whirl_group schema_shaft_run =
+    GROUP("shaft_run", "a shaft with a speed of its own in a run-up; speeds and torques are along its rotation",
+          shaft_run_keys, NULL);
 const whirl_group schema_fit_unknown =
     GROUP("fit_unknown", "the start and the bounds of an unknown parameter", fit_unknown_keys, NULL);
 const whirl_group schema_fit_data = GROUP("fit_data", "a table of measured numbers, or a number", fit_data_keys, NULL);
@@ -444,21 +465,37 @@ const char *schema_scaled_unit(const whirl_key *key) {
 
 const whirl_group *const *whirl_case_groups(void) {
     static const whirl_group *const groups[] = {
-        &schema_case,       &schema_document,
-        &schema_rotor,      &schema_study,
-        &schema_response,   &schema_sweep,
-        &schema_map,        &schema_basin,
-        &schema_axis,       WHIRL_STUDIES_AT_REST(ADDRESS_AT_REST) & schema_motions,
-        &schema_branch,     &schema_curves,
-        &schema_initial,    &schema_starts,
-        &schema_tolerances, &schema_distribution,
-        &schema_limit,      &schema_sensitivity,
-        &schema_number,     &schema_dataset,
-        &schema_label,      &schema_grade,
-        &schema_channel,    &schema_integrate,
-        &schema_keep,       &schema_detail,
-        &schema_event,      &schema_fit_unknown,
-        &schema_fit_data,   NULL,
+        &schema_case,
+        &schema_document,
+        &schema_rotor,
+        &schema_study,
+        &schema_response,
+        &schema_sweep,
+        &schema_map,
+        &schema_basin,
+        &schema_axis,
+        WHIRL_STUDIES_AT_REST(ADDRESS_AT_REST) & schema_motions,
+        &schema_branch,
+        &schema_curves,
+        &schema_initial,
+        &schema_starts,
+        &schema_tolerances,
+        &schema_distribution,
+        &schema_limit,
+        &schema_sensitivity,
+        &schema_number,
+        &schema_dataset,
+        &schema_label,
+        &schema_grade,
+        &schema_channel,
+        &schema_integrate,
+        &schema_keep,
+        &schema_detail,
+        &schema_event,
+        &schema_shaft_run,
+        &schema_fit_unknown,
+        &schema_fit_data,
+        NULL,
     };
     return groups;
 }

@@ -16,9 +16,9 @@ enum { SCHEMA_VERSION = 1, SCHEMA_MAX_POINTS = 10000000, SCHEMA_MAX_DETAIL = 100
 extern const whirl_group schema_still_rotor;
 extern const whirl_group schema_case, schema_document, schema_rotor, schema_study, schema_response, schema_sweep,
     schema_map, schema_basin, schema_axis, schema_motions, schema_branch, schema_curves, schema_initial, schema_starts,
-    schema_integrate, schema_keep, schema_detail, schema_event, schema_fit_unknown, schema_fit_data, schema_tolerances,
-    schema_distribution, schema_limit, schema_sensitivity, schema_number, schema_dataset, schema_label, schema_grade,
-    schema_channel;
+    schema_integrate, schema_keep, schema_detail, schema_event, schema_shaft_run, schema_fit_unknown, schema_fit_data,
+    schema_tolerances, schema_distribution, schema_limit, schema_sensitivity, schema_number, schema_dataset,
+    schema_label, schema_grade, schema_channel;
 
 #define SCHEMA_INDEX_AT_REST(name, ...) SCHEMA_AT_REST_##name,
 

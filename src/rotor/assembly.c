@@ -12,7 +12,7 @@ static const double slowest = 0x1p-60;
 whirl_status assembly_begin(assembly *to, double speed, double length, size_t station_count) {
     *to = (assembly){.speed = fabs(speed), .length = length, .station_count = station_count};
     to->clock = to->speed > 0.0 ? to->speed : 1.0;
-    to->pace = to->speed > 0.0 ? to->speed : slowest * to->clock;
+    to->pace = assembly_pace_of(speed);
     to->turn = copysign(to->pace / to->clock, speed);
     to->stations = calloc(station_count, sizeof *to->stations);
     to->numbers = calloc(station_count, sizeof *to->numbers);
@@ -43,6 +43,30 @@ void assembly_clear(assembly *to) {
     free(to->harmonics);
     free(to->fatigues);
     body_clear(&to->body);
+}
+
+double assembly_pace_of(double speed) {
+    return speed != 0.0 ? fabs(speed) : slowest;
+}
+
+double assembly_spool_spin(const assembly *of, size_t spool) {
+    const whirl_spool *own = &of->spools[spool - 1];
+    return copysign(own->sense, own->sense * of->turn) * own->speed;
+}
+
+int assembly_spool_value(const assembly *of, size_t spool, double *factor) {
+    if (of->spools_vary) return FORCING_COUNT + (int)spool - 1;
+    *factor *= assembly_spool_spin(of, spool);
+    return BODY_STEADY;
+}
+
+bool assembly_is_aside(const assembly *of, size_t station) {
+    return of->stations[station].spool > 0 || of->stations[station].ratio != 1.0;
+}
+
+double assembly_housing_ratio(const assembly *of, size_t station) {
+    const assembly_station *at = &of->stations[station];
+    return at->shaft != NO_SHAFT || at->lumped ? at->ratio : 0.0;
 }
 
 double assembly_spin(const assembly *of) {
@@ -382,7 +406,9 @@ void assembly_fatigue(assembly *to, const twist_fatigue *curve) {
 }
 
 whirl_status assembly_turns(const assembly *of, size_t station) {
-    if (station == NO_STATION || of->stations[station].twists || of->stations[station].ratio == 1.0) return whirl_ok();
+    if (station == NO_STATION || of->stations[station].twists || of->stations[station].spool ||
+        of->stations[station].ratio == 1.0)
+        return whirl_ok();
     return whirl_fail(
         WHIRL_BAD_INPUT,
         "acts on '%s', whose shaft turns at %g times the speed of the rotor and does not twist, expected a "
@@ -445,6 +471,14 @@ static void assembly_guide(assembly *to, const size_t *coordinate, double moment
 
 void assembly_gyroscopic(assembly *to, size_t station, double polar) {
     const size_t *at = to->stations[station].coordinate, x = at[AXIS_TILT_X], y = at[AXIS_TILT_Y];
+    if (to->stations[station].shaft != NO_SHAFT && to->stations[station].spool) {
+        double turned = polar;
+        const int value = assembly_spool_value(to, to->stations[station].spool, &turned);
+        const body_kind gyroscopic = {BODY_VELOCITY, RATE_DAMPING, value};
+        body_add(&to->body, x, y, gyroscopic, -turned);
+        body_add(&to->body, y, x, gyroscopic, turned);
+        return;
+    }
     if (to->stations[station].shaft != NO_SHAFT) {
         const double turned = polar * to->stations[station].ratio;
         const body_kind gyroscopic = {BODY_VELOCITY, RATE_GYRO, BODY_STEADY};
@@ -452,14 +486,16 @@ void assembly_gyroscopic(assembly *to, size_t station, double polar) {
         body_add(&to->body, y, x, gyroscopic, turned);
         return;
     }
-    assembly_damping(to, x, y, polar * assembly_spin(to));
-    assembly_damping(to, y, x, -polar * assembly_spin(to));
+    const assembly_station *own = &to->stations[station];
+    const double spin = own->spool ? assembly_spool_spin(to, own->spool) : own->ratio * assembly_spin(to);
+    assembly_damping(to, x, y, polar * spin);
+    assembly_damping(to, y, x, -polar * spin);
 }
 
 void assembly_unbalance(assembly *to, size_t station, double moment, double angle) {
     const assembly_station *at = &to->stations[station];
     if (to->balanced) return;
-    if (at->ratio != 1.0 && moment != 0.0) to->aside = at->name;
+    if (assembly_is_aside(to, station) && moment != 0.0) to->aside = at->name;
     assembly_inertial(to, at->coordinate[AXIS_X], at->coordinate[AXIS_Y], moment, angle);
     assembly_guide(to, at->coordinate, moment, angle);
     if (!in_plane(at) || to->phased) {

@@ -14,6 +14,7 @@
 
 #include "body.h"
 #include "drive.h"
+#include "whirl/engine/rotor.h"
 #include "whirl/engine/system.h"
 #include "whirl/status.h"
 
@@ -143,7 +144,9 @@ typedef struct assembly_station {
                              ///< has its own coordinate
     double gear;             ///< ratio of its twist to that coordinate; 1 without a rigid gear
     size_t shaft;            ///< shaft of finite elements of which it is a node; NO_SHAFT: none
-    double ratio;            ///< ratio of that shaft's speed to the rotor's; 1 without a shaft
+    bool lumped;             ///< it is on a shaft without segments
+    double ratio;            ///< ratio of its shaft's speed to the rotor's; 1 without a shaft
+    size_t spool;            ///< number of its shaft among those with a speed of their own, from 1; 0: none of these
     double position;         ///< position along that shaft, m
     double pull_moment;      ///< moment of the shaft's weight between its nodes, divided by gravity, kg m
     bool hidden;             ///< a node of the mesh that is not a station of the design
@@ -184,6 +187,11 @@ typedef struct assembly {
     turning_inertia *weights; ///< forces by a pull of 1 m/s2 along x (cos) and along y (sin): kg, of tilts kg m
     double pull[2];           ///< gravity across the shafts, m/s2
     shaft_drive drive;        ///< motor and load of a shaft whose speed is a state
+    bool spools_vary;         ///< shafts with a speed of their own change it: their forces depend on it as on a forcing
+    size_t spool_count;
+    whirl_spool spools[WHIRL_MAX_SPOOLS];       ///< [spool_count] shafts with a speed of their own
+    shaft_drive spool_drives[WHIRL_MAX_SPOOLS]; ///< [spool_count] their drives
+    size_t spool_of_shaft[WHIRL_MAX_SHAFTS];    ///< of every shaft of the design, from 1; 0: the rotor gives its speed
     size_t torque_count;
     shaft_torque *torques; ///< [torque_count] other torques on such a shaft
     size_t link_count, link_capacity;
@@ -211,6 +219,22 @@ void assembly_clear(assembly *to);
 
 /// Returns the shaft's speed, rad/s, negative for a clockwise shaft.
 double assembly_spin(const assembly *of);
+
+/// Returns the speed of a design for the laws of sliding surfaces, rad/s (assembly.pace).
+double assembly_pace_of(double speed);
+
+/// Returns the speed of a shaft whose speed is its own, rad/s, positive about z. spool: from 1.
+double assembly_spool_spin(const assembly *of, size_t spool);
+
+/// Returns the value for a body's term (body_kind.value) in proportion to that speed, and multiplies *factor by the
+/// speed if it is constant.
+int assembly_spool_value(const assembly *of, size_t spool, double *factor);
+
+/// Returns true if a station is on a shaft that turns at another speed than the rotor, or may do so.
+bool assembly_is_aside(const assembly *of, size_t station);
+
+/// Returns the ratio of the speed of a housing to the rotor's: that of its shaft, 0 without a shaft.
+double assembly_housing_ratio(const assembly *of, size_t station);
 
 /// Returns true if the shaft stands still, at its angle of t = 0. Stiffness that turns with the shaft (flats, cracks)
 /// stays at that angle. Forces that turn with the shaft count with their mean over a turn, which is 0.

@@ -45,13 +45,15 @@ enum { MAX_PORTS = 12, MAX_KEYS = 64, MAX_ELEMENT_STATES = 32 };
 /// Placeholder until `build` sets the number of an element's states.
 #define STATES_OF_TYPE ((size_t)-1)
 
-/// Constants of the drag by an element's fluid on shafts whose speed is a state (drag.c).
+/// Constants of the drag by an element's fluid on shafts whose speed is a state (drag.c). Contacts have a housing
+/// alone.
 typedef struct fluid_drag {
     double shear; ///< torque of the shear between centred surfaces divided by the difference of their speeds, N m s; 0:
                   ///< none
     double reynolds; ///< Reynolds number of the film divided by that difference, s
     int turbulence;  ///< whirl_turbulence
     double turns[2]; ///< ratios of the speeds of journal and housing to the shaft's
+    size_t spool[2]; ///< shafts with a speed of their own that carry journal and housing, from 1; 0: none of these
     size_t housing;  ///< station of the housing; GROUND
 } fluid_drag;
 
@@ -63,6 +65,8 @@ typedef struct element {
     size_t part;         ///< index among the machine's parts: stations, then elements
     int law;
     bool lumped;             ///< it is part of the assembly only
+    bool round;              ///< its force does not depend on speed or angle of its shaft, though those of its type may
+    size_t spool;            ///< shaft with a speed of its own with which it turns, from 1; 0: none of these
     size_t port[MAX_PORTS];  ///< coordinates on which it acts; NO_COORDINATE: the ground
     double share[MAX_PORTS]; ///< ratio of the motion of the place to its coordinate: 1, for twists the ratio of gears
     size_t state;            ///< index of its first first-order state, in the rows of the velocities
@@ -160,6 +164,7 @@ typedef struct whirl_element_type {
     bool modulated;                        ///< its forces are not linear in the forcing
     size_t turning;                        ///< number of its states, from the first on, that are angles
     bool spun;                             ///< its force depends on the speed of its shaft
+    bool slides_by_shaft;                  ///< it knows the speeds of shafts that are their own (whirl_spool)
     bool kinked;                           ///< its force has kinks without a switch
     const element_kernels *const *kernels; ///< [VECTOR_ISAS]; NULL: the element is part of the assembly only
     const struct whirl_element_type

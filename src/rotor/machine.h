@@ -74,6 +74,11 @@ struct whirl_rotor {
     double pull[2];            ///< m/s2, gravity across the shafts
     double *weight;            ///< [2][degrees] force by a pull of 1 m/s2 along x, then along y: kg, of a tilt kg m
     shaft_drive drive;         ///< as in the assembly
+    size_t spool_count;
+    whirl_spool spools[WHIRL_MAX_SPOOLS];       ///< [spool_count] as in whirl_system
+    shaft_drive spool_drives[WHIRL_MAX_SPOOLS]; ///< [spool_count] as in the assembly
+    size_t *spool_of;                           ///< [station_count] spool that carries a station, from 1; 0: none
+    double *housing_turns;                      ///< [station_count] as assembly_housing_ratio
     size_t torque_count;
     shaft_torque *torques; ///< [torque_count] as in the assembly
     size_t link_count;

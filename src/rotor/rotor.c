@@ -93,7 +93,9 @@ static size_t rotor_lay_out(whirl_rotor *rotor, char *block, const building *b) 
         cut(block, &used, stations * sizeof *rotor->polar),
         cut(block, &used, (b->assembly.harmonic_count + b->element_count) * sizeof *rotor->excitations),
         cut(block, &used, b->assembly.fatigue_count * sizeof *rotor->fatigues),
-        cut(block, &used, stations * sizeof *rotor->axials)};
+        cut(block, &used, stations * sizeof *rotor->axials),
+        cut(block, &used, stations * sizeof *rotor->spool_of),
+        cut(block, &used, stations * sizeof *rotor->housing_turns)};
     // Point to the parts, in the same order.
     if (!rotor) return used;
     rotor->elements = parts[0];
@@ -133,6 +135,8 @@ static size_t rotor_lay_out(whirl_rotor *rotor, char *block, const building *b) 
     rotor->excitations = parts[34];
     rotor->fatigues = parts[35];
     rotor->axials = parts[36];
+    rotor->spool_of = parts[37];
+    rotor->housing_turns = parts[38];
     return used;
 }
 
@@ -363,6 +367,18 @@ static whirl_rotor *rotor_finish(building *b) {
     memcpy(rotor->unit, b->assembly.unit, b->assembly.degrees * sizeof *rotor->unit);
     memcpy(rotor->pull, b->assembly.pull, sizeof rotor->pull);
     rotor->drive = b->assembly.drive;
+    rotor->spool_count = b->assembly.spool_count;
+    for (size_t k = 0; k < rotor->spool_count; k++) {
+        const shaft_drive *drive = &b->assembly.spool_drives[k];
+        rotor->spools[k] = b->assembly.spools[k];
+        rotor->spools[k].driven = drive->given;
+        rotor->spools[k].drive_speed = drive->given ? drive_highest(drive) : 0.0;
+        rotor->spool_drives[k] = *drive;
+    }
+    for (size_t s = 0; s < rotor->station_count; s++) {
+        rotor->spool_of[s] = b->assembly.stations[s].spool;
+        rotor->housing_turns[s] = assembly_housing_ratio(&b->assembly, s);
+    }
     rotor->torque_count = b->assembly.torque_count;
     if (b->assembly.torques) memcpy(rotor->torques, b->assembly.torques, rotor->torque_count * sizeof *rotor->torques);
     rotor->link_count = b->assembly.link_count;
@@ -526,12 +542,17 @@ double whirl_rotor_length_scale(const whirl_rotor *rotor) {
     return rotor->length;
 }
 bool whirl_rotor_drive(const whirl_rotor *rotor, double *highest) {
-    const bool driven = rotor->drive.given || rotor->torque_count > 0;
+    bool driven = rotor->drive.given;
+    for (size_t i = 0; i < rotor->torque_count; i++) {
+        const size_t station = rotor->torques[i].station;
+        driven = driven || station == NO_STATION || rotor->spool_of[station] == 0;
+    }
     const double turns = rotor->drive.given ? rotor_turns(rotor, rotor->drive.at) : 0.0;
     *highest = turns > 0.0 ? drive_highest(&rotor->drive) / turns : 0.0;
     for (size_t i = 0; i < rotor->torque_count; i++) {
         const shaft_torque *own = &rotor->torques[i];
         const double faster = rotor_turns(rotor, own->station);
+        if (own->station != NO_STATION && rotor->spool_of[own->station] > 0) continue;
         if (own->law->highest && faster > 0.0) *highest = fmax(*highest, own->law->highest(own) / faster);
     }
     return driven;

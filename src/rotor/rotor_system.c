@@ -432,6 +432,8 @@ void rotor_system_fill(whirl_rotor *rotor) {
                                    .twist = rotor->twist_count > 0 ? rotor_twist : NULL,
                                    .axial = rotor->axial_count > 0 ? rotor_axial : NULL,
                                    .torque_count = rotor_watched_count(rotor),
+                                   .spool_count = rotor->spool_count,
+                                   .spools = rotor->spools,
                                    .torsion = rotor->twist_count > 0 ? &rotor->torsion : NULL,
                                    .model = rotor,
                                    .lanes = &rotor->lanes};

@@ -7,10 +7,7 @@
 
 #include "matrix.h"
 #include "running_rotor.h"
-
-/// SPLINE_NODES: nodes of a spline. SPLINE_SPEEDS: speeds of its nodes, and of the checks between them. SPLINE_NUMBERS:
-/// stored numbers of a spline.
-enum { SPLINE_NODES = 33, SPLINE_SPEEDS = 2 * SPLINE_NODES - 1, SPLINE_NUMBERS = 2 * SPLINE_NODES };
+#include "table.h"
 
 /// Largest error of a number that counts as a sum of powers, divided by the number's largest value.
 static const double power_error = 2e-12;
@@ -31,10 +28,9 @@ static bool running_fit_powers(size_t count, const int *of, const double *w, con
     return matrix_solve(count, a, 1, out);
 }
 
-/// Finds the fewest powers whose sum is y at all speeds w [POWER_SPEEDS]. Returns false if there is no such sum.
-static bool running_find_powers(const double *w, const double *y, double power[POWERS]) {
+bool running_find_powers(size_t speeds, const double *w, const double *y, double power[POWERS]) {
     double largest = 0.0;
-    for (size_t i = 0; i < POWER_SPEEDS; i++) largest = fmax(largest, fabs(y[i]));
+    for (size_t i = 0; i < speeds; i++) largest = fmax(largest, fabs(y[i]));
     for (size_t count = 1; count <= POWERS; count++)
         for (unsigned set = 1; set < 1u << POWERS; set++) {
             int of[POWERS];
@@ -46,12 +42,12 @@ static bool running_find_powers(const double *w, const double *y, double power[P
             if (size != count) continue;
             // Fit at about every second speed, over the whole range. The other speeds check the fit.
             for (size_t i = 0; i < count; i++) {
-                const size_t pick = count == 1 ? 0 : i * (POWER_SPEEDS - 1) / (count - 1);
+                const size_t pick = count == 1 ? 0 : i * (speeds - 1) / (count - 1);
                 at[i] = w[pick];
                 value[i] = y[pick];
             }
             holds = running_fit_powers(count, of, at, value, found);
-            for (size_t i = 0; i < POWER_SPEEDS && holds; i++) {
+            for (size_t i = 0; i < speeds && holds; i++) {
                 double sum = 0.0;
                 for (size_t j = 0; j < count; j++) sum += found[j] * pow(w[i], of[j]);
                 holds = fabs(sum - y[i]) <= power_error * largest;
@@ -64,8 +60,7 @@ static bool running_find_powers(const double *w, const double *y, double power[P
     return false;
 }
 
-/// Computes the second derivatives of the cubic spline through y at equal distances h, with parabolas at its ends.
-static void spline_bend(double h, const double *y, double *curvature) {
+void running_spline_bend(double h, const double *y, double *curvature) {
     double diagonal[SPLINE_NODES], right[SPLINE_NODES];
     const size_t last = SPLINE_NODES - 1;
     for (size_t i = 1; i < last; i++) {
@@ -83,11 +78,11 @@ static void spline_bend(double h, const double *y, double *curvature) {
     curvature[last] = curvature[last - 1];
 }
 
-static double spline_at(const running_rotor *r, const number_of_speed *of, double w) {
-    const double place = (w - r->lowest_node) / r->node_distance;
+static double spline_at(const number_of_speed *of, double lowest, double distance, double w) {
+    const double place = (w - lowest) / distance;
     const double bounded = fmin(fmax(place, 0.0), SPLINE_NODES - 1.0);
     const size_t i = bounded >= SPLINE_NODES - 1 ? SPLINE_NODES - 2 : (size_t)bounded;
-    const double b = bounded - (double)i, a = 1.0 - b, h = r->node_distance;
+    const double b = bounded - (double)i, a = 1.0 - b, h = distance;
     return a * of->value[i] + b * of->value[i + 1] +
            ((a * a * a - a) * of->curvature[i] + (b * b * b - b) * of->curvature[i + 1]) * h * h / 6.0;
 }
@@ -97,18 +92,26 @@ static double spline_lift(int lift, double w) {
     return lift == 0 ? 1.0 : lift == 1 ? w : w * w;
 }
 
-static double running_number_at(const running_rotor *r, const number_of_speed *of, double w) {
+double running_number_at(const number_of_speed *of, double lowest, double distance, double w) {
     const double *c = of->power;
-    if (of->value) return spline_at(r, of, w) / spline_lift(of->lift, w);
+    if (of->value) return spline_at(of, lowest, distance, w) / spline_lift(of->lift, w);
     return ((c[0] / w + c[1]) / w + c[2]) + w * (c[3] + w * c[4]);
 }
 
-/// Evaluates the numbers at a speed, in workspace.
-static double *running_numbers_at(const running_rotor *r, double w) {
+/// Evaluates the numbers at a speed, in workspace. x: a state with the speeds of shafts that have their own, or NULL
+/// for the highest ones.
+static double *running_numbers_at(const running_rotor *r, double w, const double *x) {
     const double bounded = fmax(w, slowest);
+    double spools[WHIRL_MAX_SPOOLS];
+    bool moved = bounded != *r->at;
     for (size_t i = 0; i < r->varying_count && bounded != *r->at; i++)
-        r->numbers[r->varying[i].index] = running_number_at(r, &r->varying[i], bounded);
+        r->numbers[r->varying[i].index] = running_number_at(&r->varying[i], r->lowest_node, r->node_distance, bounded);
     *r->at = bounded;
+    for (size_t k = 0; k < r->spool_count; k++) {
+        spools[k] = fmax(x ? x[r->at_spool + 2 * k + 1] : r->spools[k].highest, slowest);
+        moved = moved || spools[k] != r->spool_at[k];
+    }
+    if (r->spool_count > 0 && moved) running_put_spooled(r, bounded, spools);
     return r->numbers;
 }
 
@@ -152,6 +155,11 @@ whirl_status whirl_running_check(const whirl_system *system, bool driven) {
         return whirl_fail(WHIRL_BAD_INPUT,
                           "sections of the machine are taken by the %s, expected those of its shaft (keyphasor: no)",
                           rotor->keyphasor);
+    if (rotor->spool_count > 0 && rotor->twist_count > 0)
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "the machine has stations that twist and shaft '%s' with a speed of its own, expected one of "
+                          "them",
+                          rotor->spools[0].name);
     if (driven) return running_check_torques(rotor);
     if (rotor->twist_count > 0)
         return whirl_fail(WHIRL_BAD_INPUT,
@@ -197,14 +205,16 @@ static whirl_status running_check_machine(const running_rotor *r, const whirl_ma
     return whirl_ok();
 }
 
-/// Makes the machine at speeds w [count], divided by the unit, and writes its numbers, out [count][number_count].
-static whirl_status running_sample(const running_rotor *r, whirl_machine_at *make, const void *context, size_t count,
-                                   const double *w, double *out) {
+whirl_status running_sample(const running_rotor *r, whirl_machine_at *make, const void *context, size_t count,
+                            const double *w, const double *spools, double *out) {
     const size_t numbers = r->rotor->lanes.number_count;
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < count && status.code == WHIRL_OK; i++) {
         whirl_machine machine = {.system = NULL};
-        status = make(context, w[i] * r->unit, &machine);
+        double speeds[WHIRL_MAX_SPOOLS] = {0.0};
+        for (size_t k = 0; k < r->spool_count; k++)
+            speeds[k] = r->unit * (spools ? spools[i * r->spool_count + k] : r->spools[k].highest);
+        status = make(context, w[i] * r->unit, r->spool_count > 0 ? speeds : NULL, &machine);
         if (status.code != WHIRL_OK) return status;
         status = running_check_machine(r, &machine);
         if (status.code == WHIRL_OK)
@@ -218,7 +228,7 @@ static whirl_status running_sample(const running_rotor *r, whirl_machine_at *mak
 /// from the values at the two lowest speeds, w [2]: towards low speeds stiffnesses grow as 1/w^2, dampings as 1/w, and
 /// ratios do not grow. Below its first node a spline keeps its value, so that with another lift a number would vanish
 /// or grow without limit there.
-static int spline_find_lift(const double *w, double lowest, double next) {
+int running_spline_lift(const double *w, double lowest, double next) {
     const double growth = log(fabs(lowest / next)) / log(w[1] / w[0]);
     return growth > 1.5 ? 2 : growth > 0.5 ? 1 : 0; // 0 also where it is not a number
 }
@@ -235,15 +245,16 @@ static void running_fit_splines(running_rotor *r, const double *w, const double 
         own->value = next;
         own->curvature = next + SPLINE_NODES;
         next += SPLINE_NUMBERS;
-        own->lift = spline_find_lift(w, y[own->index], y[numbers + own->index]);
+        own->lift = running_spline_lift(w, y[own->index], y[numbers + own->index]);
         for (size_t i = 0; i < SPLINE_SPEEDS; i++) {
             lifted[i] = spline_lift(own->lift, w[i]) * y[i * numbers + own->index];
             largest = fmax(largest, fabs(lifted[i]));
         }
         for (size_t i = 0; i < SPLINE_NODES; i++) own->value[i] = lifted[2 * i];
-        spline_bend(r->node_distance, own->value, own->curvature);
+        running_spline_bend(r->node_distance, own->value, own->curvature);
         for (size_t i = 1; i < SPLINE_SPEEDS; i += 2)
-            r->shown.error = fmax(r->shown.error, fabs(spline_at(r, own, w[i]) - lifted[i]) / largest);
+            r->shown.error = fmax(r->shown.error,
+                                  fabs(spline_at(own, r->lowest_node, r->node_distance, w[i]) - lifted[i]) / largest);
     }
 }
 
@@ -255,7 +266,7 @@ static whirl_status running_add_splines(running_rotor *r, whirl_machine_at *make
     for (size_t i = 0; i < SPLINE_SPEEDS; i++) w[i] = r->lowest_node + 0.5 * (double)i * r->node_distance;
     whirl_status status =
         y && r->splines ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine over its speed");
-    if (status.code == WHIRL_OK) status = running_sample(r, make, context, SPLINE_SPEEDS, w, y);
+    if (status.code == WHIRL_OK) status = running_sample(r, make, context, SPLINE_SPEEDS, w, NULL, y);
     if (status.code == WHIRL_OK) running_fit_splines(r, w, y);
     free(y);
     return status;
@@ -279,7 +290,7 @@ static whirl_status running_find_numbers(running_rotor *r, whirl_machine_at *mak
     if (status.code == WHIRL_OK) { // the first speed is that of the existing machine
         memcpy(r->numbers, r->rotor->numbers, numbers * sizeof *r->numbers);
         memcpy(y, r->rotor->numbers, numbers * sizeof *y);
-        status = running_sample(r, make, context, POWER_SPEEDS - 1, w + 1, y + numbers);
+        status = running_sample(r, make, context, POWER_SPEEDS - 1, w + 1, NULL, y + numbers);
     }
     // Represent each number that varies by a sum of powers, or else by a spline.
     for (size_t n = 0; n < numbers && status.code == WHIRL_OK; n++) {
@@ -291,13 +302,14 @@ static whirl_status running_find_numbers(running_rotor *r, whirl_machine_at *mak
             varies = varies || values[i] != values[0];
         }
         if (!varies) continue;
-        if (!running_find_powers(w, values, own.power)) {
+        if (!running_find_powers(POWER_SPEEDS, w, values, own.power)) {
             own.value = r->numbers; // not NULL: running_fit_splines replaces it
             splines++;
         }
         r->varying[r->varying_count++] = own;
     }
     if (status.code == WHIRL_OK && splines > 0) status = running_add_splines(r, make, context, splines);
+    if (status.code == WHIRL_OK && r->spool_count > 0) status = running_find_spooled(r, make, context, w, y);
     free(y);
     return status;
 }
@@ -315,7 +327,7 @@ static bool running_probe_moves(const whirl_probe *probe, size_t way) {
 static double running_geared_lever(const running_rotor *r, size_t index, double w, const double *states,
                                    double lever[2]) {
     element own = r->rotor->elements[index];
-    if (!own.type->lever || own.states == 0) return 0.0;
+    if (!own.type->lever || own.states == 0 || own.spool > 0) return 0.0;
     own.number = r->numbers + own.first_number;
     return own.type->lever(&own, w * r->unit, states, lever);
 }
@@ -324,7 +336,7 @@ static double running_geared_lever(const running_rotor *r, size_t index, double 
 /// (U/m)^2 for an unbalance U at a station of mass m, times the square of the ratio.
 static void running_count_geared(running_rotor *r) {
     const whirl_rotor *rotor = r->rotor;
-    running_numbers_at(r, 1.0);
+    running_numbers_at(r, 1.0, NULL);
     for (size_t i = 0; i < rotor->element_count; i++) {
         const double start[MAX_ELEMENT_STATES] = {0.0};
         const size_t *port = rotor->elements[i].port;
@@ -351,10 +363,50 @@ static double running_unbalance_inertia(const running_rotor *r) {
 
 static void running_lose(whirl_running *running, size_t count, const whirl_placed *placed);
 
+/// Adds an unbalance that appears on a shaft with a speed of its own, and its inertia.
+static void running_lose_on_spool(running_rotor *r, const whirl_placed *placed) {
+    const whirl_rotor *rotor = r->rotor;
+    const whirl_probe *probe = &rotor->probes[placed->station];
+    running_spool *own = &r->spools[rotor->spool_of[placed->station] - 1];
+    r->lost_spools[r->lost_spool_count++] = *placed;
+    if (running_probe_moves(probe, 0) || running_probe_moves(probe, 1))
+        own->lost_inertia += placed->moment * placed->moment / rotor->inertia[probe->x];
+}
+
+/// Adds the forces of these unbalances in a state x by the angle to the accelerations a [degrees] at the speed w, and
+/// their levers.
+static void running_add_lost_spools(const running_rotor *r, double w, const double *x, double *a) {
+    const whirl_rotor *rotor = r->rotor;
+    const size_t n = rotor->lanes.degrees;
+    for (size_t i = 0; i < r->lost_spool_count; i++) {
+        const whirl_placed *placed = &r->lost_spools[i];
+        const whirl_probe *probe = &rotor->probes[placed->station];
+        const size_t k = rotor->spool_of[placed->station] - 1;
+        running_spool *own = &r->spools[k];
+        const double sense = rotor->way * own->sense, angle = placed->angle + sense * x[r->at_spool + 2 * k];
+        const double share = x[r->at_spool + 2 * k + 1] / w, c = cos(angle), s = sin(angle);
+        const double force[2] = {placed->moment * c, placed->moment * s};
+        const double lever[2] = {sense * placed->moment * s, -sense * placed->moment * c};
+        memset(r->geared_force, 0, n * sizeof *r->geared_force);
+        for (size_t way = 0; way < 2; way++) {
+            if (!running_probe_moves(probe, way)) {
+                own->guided_lever[way] += lever[way];
+                continue;
+            }
+            const size_t row = way == 0 ? probe->x : probe->y;
+            r->geared_force[row] = share * share * force[way];
+            own->lever_force[row] += lever[way];
+        }
+        rotor_accelerate(rotor, r->geared_force, r->geared_acceleration);
+        for (size_t d = 0; d < n; d++) a[d] += r->geared_acceleration[d];
+        rotor_accelerate(rotor, own->lever_force, own->lever_acceleration);
+    }
+}
+
 static whirl_status running_add_turnings(running_rotor *r) {
     const whirl_rotor *rotor = r->rotor;
     const size_t n = rotor->lanes.degrees;
-    r->block = calloc(17 * n + 2 * (r->at_speed + 2) + 3 * rotor->contact_count + 4, sizeof *r->block);
+    r->block = calloc(17 * n + 3 * (r->at_speed + 2) + 3 * rotor->contact_count + 4, sizeof *r->block);
     r->along = malloc(n + 1);
     if (!r->block || !r->along) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine whose speed changes");
     // Cut the block into arrays.
@@ -377,7 +429,8 @@ static whirl_status running_add_turnings(running_rotor *r) {
     for (size_t i = 0; i < PARTS; i++) *parts[i] = r->block + i * n;
     r->place = r->block + PARTS * n;
     r->slope = r->place + r->at_speed + 2;
-    r->friction = r->slope + r->at_speed + 2;
+    r->spool_place = r->slope + r->at_speed + 2;
+    r->friction = r->spool_place + r->at_speed + 2;
     r->shake = r->friction + 3 * rotor->contact_count;
     r->guided_lever = r->shake + 2;
     r->shaken = r->guided_lever + 2;
@@ -413,7 +466,13 @@ static void running_lose(whirl_running *running, size_t count, const whirl_place
     memset(r->lost_force_cos, 0, n * sizeof *r->lost_force_cos);
     memset(r->lost_force_sin, 0, n * sizeof *r->lost_force_sin);
     memcpy(r->lost_guided, rotor->guided, sizeof r->lost_guided);
+    r->lost_spool_count = 0;
+    for (size_t k = 0; k < r->spool_count; k++) r->spools[k].lost_inertia = 0.0;
     for (size_t i = 0; i < count; i++) {
+        if (rotor->spool_of[placed[i].station] > 0) {
+            running_lose_on_spool(r, &placed[i]);
+            continue;
+        }
         const whirl_probe *probe = &rotor->probes[placed[i].station];
         const double c = placed[i].moment * cos(placed[i].angle), s = placed[i].moment * sin(placed[i].angle);
         if (running_probe_moves(probe, 0)) {
@@ -456,10 +515,21 @@ typedef struct running_state {
     const double *x;
 } running_state;
 
+/// Returns the shaft of a station: 0 the rotor's own, from 1 one with a speed of its own.
+static size_t running_shaft_of(const running_rotor *r, size_t station) {
+    return station != NO_STATION ? r->rotor->spool_of[station] : 0;
+}
+
 /// Returns the time, and the speed and angle of a station in the sense of its rotation.
 static torque_place running_place_of(const running_rotor *r, size_t station, const running_state *s) {
     const double *x = s->x;
     torque_place at = {.time = x[r->at_speed + 1] / r->unit, .speed = s->exact * r->unit, .angle = s->angle};
+    const size_t spool = running_shaft_of(r, station);
+    if (spool > 0) {
+        at.angle = x[r->at_spool + 2 * spool - 2];
+        at.speed = x[r->at_spool + 2 * spool - 1] * r->unit;
+        return at;
+    }
     if (!running_twists(r, station)) return at;
     const whirl_rotor *rotor = r->rotor;
     const station_twist *own = &rotor->twists[station];
@@ -507,6 +577,19 @@ static double running_load_at(const running_rotor *r, const running_state *s) {
                                               : -drive_load(drive, at.speed, r->slip);
 }
 
+/// Adds the torques of the motor and load of shaft k with a speed of its own.
+static void running_drive_spool(const running_rotor *r, size_t k, const running_state *s, whirl_torques *out) {
+    const shaft_drive *drive = &r->rotor->spool_drives[k];
+    const whirl_run_formula first = (whirl_run_formula)(WHIRL_FORMULA_SPOOL + WHIRL_SPOOL_FORMULAS * k);
+    const whirl_run_formula motor = (whirl_run_formula)(first + WHIRL_SPOOL_MOTOR);
+    const whirl_run_formula load = (whirl_run_formula)(first + WHIRL_SPOOL_LOAD);
+    const double time = s->x[r->at_speed + 1] / r->unit, speed = s->x[r->at_spool + 2 * k + 1] * r->unit;
+    if (!drive->given) return;
+    if (!r->how.spools[k].tripped)
+        out->motor += running_has(r, motor) ? running_value(r, motor, time, speed) : drive_torque(drive, speed);
+    out->load -= running_has(r, load) ? running_value(r, load, time, speed) : drive_load(drive, speed, r->slip);
+}
+
 /// Returns the torque with this index. Writes the slopes of its states by time, unless `slopes` is NULL.
 static double running_torque_at(const running_rotor *r, size_t index, const double *state, const running_state *s,
                                 double *slopes) {
@@ -514,11 +597,29 @@ static double running_torque_at(const running_rotor *r, size_t index, const doub
     torque_place at = running_place_of(r, own->station, s);
     at.state = state;
     const double torque = own->law->torque(own, &at, slopes);
-    return own->law->motor && r->how.tripped ? 0.0 : torque;
+    const size_t shaft = running_shaft_of(r, own->station);
+    return own->law->motor && (shaft > 0 ? r->how.spools[shaft - 1].tripped : r->how.tripped) ? 0.0 : torque;
 }
 
-/// Adds the friction of contacts. Returns the part that turns the shaft as a whole.
-static double running_add_friction(const running_rotor *r, const double *x, double *numbers, double *sum) {
+/// Adds the torque by friction that a contact has on the stator if that turns, of size `brake` in the sense of the
+/// rotor. Returns the part that turns the rotor's own shaft as a whole.
+static double running_add_reaction(const running_rotor *r, const element *contact, double brake,
+                                   whirl_torques *spools) {
+    const size_t housing = contact->fluid.housing;
+    if (r->spool_count == 0 || !contact->type->slides_by_shaft || housing == GROUND) return 0.0;
+    const size_t shaft = running_shaft_of(r, housing);
+    if (shaft > 0) {
+        spools[shaft - 1].friction += r->spools[shaft - 1].sense * brake;
+        return 0.0;
+    }
+    // The stator of a contact within the rotor's own shaft counts as standing.
+    return running_shaft_of(r, contact->station) > 0 ? r->rotor->housing_turns[housing] * brake : 0.0;
+}
+
+/// Adds the friction of contacts; to `spools` the torques on shafts with a speed of their own. Returns the part that
+/// turns the rotor's own shaft as a whole.
+static double running_add_friction(const running_rotor *r, const double *x, double *numbers, double *sum,
+                                   whirl_torques *spools) {
     const size_t contacts = r->rotor->contact_count;
     double whole = 0.0;
     *sum = 0.0;
@@ -526,16 +627,25 @@ static double running_add_friction(const running_rotor *r, const double *x, doub
     rotor_contacts_with(r->rotor, numbers, x, r->friction, r->friction + contacts);
     for (size_t c = 0; c < contacts; c++) {
         const double own = r->friction[contacts + 2 * c];
+        const element *contact = &r->rotor->elements[r->rotor->contacts[c]];
+        const size_t shaft = running_shaft_of(r, contact->station);
         if (!isfinite(own)) continue;
+        const double reaction = running_add_reaction(r, contact, own, spools);
+        if (shaft > 0) {
+            spools[shaft - 1].friction -= r->spools[shaft - 1].sense * own;
+            *sum += reaction;
+            whole += reaction;
+            continue;
+        }
         *sum -= own;
-        whole += running_add_torque(r, r->rotor->elements[r->rotor->contacts[c]].station, -own);
+        whole += running_add_torque(r, contact->station, -own);
     }
     return whole;
 }
 
-/// Adds the drag of films and seals, with the numbers of the present speed. Returns the part that turns the shaft as a
-/// whole.
-static double running_add_drag(const running_rotor *r, const running_state *s, double *sum) {
+/// Adds the drag of films and seals, with the numbers of the present speed; to `spools` that on shafts with a speed of
+/// their own. Returns the part that turns the rotor's own shaft as a whole.
+static double running_add_drag(const running_rotor *r, const running_state *s, double *sum, whirl_torques *spools) {
     const whirl_rotor *rotor = r->rotor;
     double whole = 0.0;
     *sum = 0.0;
@@ -548,9 +658,17 @@ static double running_add_drag(const running_rotor *r, const running_state *s, d
             spin[k] = own->fluid.turns[k] * s->exact * r->unit;
             if (running_twists(r, station[k]))
                 spin[k] = copysign(1.0, running_turns_of(r, station[k])) * running_place_of(r, station[k], s).speed;
+            if (own->fluid.spool[k] > 0)
+                spin[k] = r->spools[own->fluid.spool[k] - 1].sense * r->unit *
+                          s->x[r->at_spool + 2 * own->fluid.spool[k] - 1];
         }
         rotor_drag_with(rotor, own, r->numbers, s->x, s->w * r->unit, spin, torque);
         for (size_t k = 0; k < 2; k++) {
+            const size_t spool = own->fluid.spool[k];
+            if (spool > 0) {
+                spools[spool - 1].drag += r->spools[spool - 1].sense * torque[k];
+                continue;
+            }
             const bool twists = running_twists(r, station[k]);
             const double turns = twists ? running_turns_of(r, station[k]) : own->fluid.turns[k];
             *sum += turns * torque[k];
@@ -562,9 +680,10 @@ static double running_add_drag(const running_rotor *r, const running_state *s, d
 }
 
 /// Finds all torques, with the numbers of the speed w. Those on twists are written to workspace. Writes the slopes of
-/// their states by time, unless `slopes` is NULL. Returns the part that turns the shaft as a whole.
+/// their states by time, unless `slopes` is NULL. spools [spool_count]: torques on shafts with a speed of their own,
+/// but for those of their rotors. Returns the part that turns the rotor's own shaft as a whole.
 static double running_find_torques(const running_rotor *r, double *numbers, const running_state *s, double *slopes,
-                                   whirl_torques *out) {
+                                   whirl_torques *out, whirl_torques *spools) {
     const whirl_rotor *rotor = r->rotor;
     const double *state = s->x + rotor->system.dimension;
     memset(r->torque, 0, rotor->lanes.degrees * sizeof *r->torque);
@@ -575,13 +694,19 @@ static double running_find_torques(const running_rotor *r, double *numbers, cons
     for (size_t i = 0; i < rotor->torque_count; i++) {
         const torque_law *law = rotor->torques[i].law;
         const double torque = running_torque_at(r, i, state, s, slopes);
-        *(law->motor ? &out->motor : &out->load) += torque;
-        whole += running_add_torque(r, rotor->torques[i].station, torque);
+        const size_t shaft = running_shaft_of(r, rotor->torques[i].station);
+        if (shaft > 0) {
+            *(law->motor ? &spools[shaft - 1].motor : &spools[shaft - 1].load) += torque;
+        } else {
+            *(law->motor ? &out->motor : &out->load) += torque;
+            whole += running_add_torque(r, rotor->torques[i].station, torque);
+        }
         state += law->states;
         if (slopes) slopes += law->states;
     }
-    whole += running_add_friction(r, s->x, numbers, &out->friction);
-    return whole + running_add_drag(r, s, &out->drag);
+    for (size_t k = 0; k < r->spool_count; k++) running_drive_spool(r, k, s, &spools[k]);
+    whole += running_add_friction(r, s->x, numbers, &out->friction, spools);
+    return whole + running_add_drag(r, s, &out->drag, spools);
 }
 
 /// Adds the levers of unbalances that turn at fixed ratios of the speed w, in a state x by the angle.
@@ -626,10 +751,116 @@ static double running_pull(const running_rotor *r, size_t way) {
     return way < 2 ? r->rotor->pull[way] - r->shake[way] : 0.0;
 }
 
-/// theta'' divided by the square of the unit of speed: all of it, and the part by torques on twists.
+/// Returns the given rate of the rotor's speed, rad/s2.
+static double running_rate(const running_rotor *r, const running_state *s) {
+    double rate = r->how.rate;
+    if (running_has(r, WHIRL_FORMULA_RATE))
+        rate += running_value(r, WHIRL_FORMULA_RATE, s->x[r->at_speed + 1] / r->unit, s->exact * r->unit);
+    return rate;
+}
+
+/// Returns true if torques turn one of the shafts.
+static bool running_is_torqued(const running_rotor *r) {
+    bool any = r->how.driven;
+    for (size_t k = 0; k < r->spool_count; k++) any = any || r->how.spools[k].law == WHIRL_SPOOL_DRIVEN;
+    return any;
+}
+
+/// theta'' divided by the square of the unit of speed: all of it, and the part by torques on twists; and that of shafts
+/// with a speed of their own.
 typedef struct faster {
-    double all, twisted;
+    double all, twisted, spools[WHIRL_MAX_SPOOLS];
 } faster;
+
+/// Returns a speed within a table over the rotor's speed. Beyond its ends the table has its first and last values.
+static double running_in_table(const whirl_spool_course *own, double speed) {
+    return fmin(fmax(speed, own->at[0]), own->at[own->count - 1]);
+}
+
+/// Returns the derivative of a speed by a table over the rotor's speed.
+static double running_table_slope(const whirl_spool_course *own, double speed) {
+    const bool within = speed >= own->at[0] && speed <= own->at[own->count - 1];
+    return within ? table_rate(own->count, own->at, own->speeds, speed) : 0.0;
+}
+
+/// Returns the speed of shaft k, which follows a formula or the rotor's speed, over the unit, at a time, s, and a speed
+/// of the rotor over the unit.
+static double running_followed(const running_rotor *r, size_t k, double time, double w) {
+    const whirl_spool_course *own = &r->how.course->spools[k];
+    if (r->how.spools[k].law == WHIRL_SPOOL_BY_ROTOR)
+        return table_value(own->count, own->at, own->speeds, running_in_table(own, r->unit * w)) / r->unit;
+    const whirl_run_formula formula =
+        (whirl_run_formula)(WHIRL_FORMULA_SPOOL + WHIRL_SPOOL_FORMULAS * k + WHIRL_SPOOL_SPEED);
+    return running_value(r, formula, time, r->unit * w) / r->unit;
+}
+
+/// Returns the derivative of that speed by the time over its unit (by_time) or by the rotor's speed, by differences of
+/// the order 4: 1e-12 of the highest speed over a hundredth of a turn.
+static double running_followed_slope(const running_rotor *r, size_t k, double time, double w, bool by_time) {
+    const double step = by_time ? 0.0625 : 0x1p-10; // units of time, and of speed
+    double value[4];
+    for (int i = 0; i < 4; i++) {
+        const double apart = step * (double)(i < 2 ? i - 2 : i - 1);
+        value[i] =
+            by_time ? running_followed(r, k, time + apart / r->unit, w) : running_followed(r, k, time, w + apart);
+    }
+    return (8.0 * (value[2] - value[1]) - (value[3] - value[0])) / (12.0 * step);
+}
+
+/// Fills in the row of shaft k with a speed of its own.
+static shaft_row running_spool_row(const running_rotor *r, size_t k, const running_state *s,
+                                   const whirl_torques *torques) {
+    const running_spool *own = &r->spools[k];
+    const whirl_spool_turning *how = &r->how.spools[k];
+    const double time = s->x[r->at_speed + 1] / r->unit;
+    shaft_row row = {.driven = how->law == WHIRL_SPOOL_DRIVEN,
+                     .torque = torques->motor + torques->load + torques->friction + torques->drag,
+                     .inertia = own->inertia + own->lost_inertia,
+                     .force = own->lever_force,
+                     .acceleration = own->lever_acceleration,
+                     .guided = own->guided_lever};
+    if (how->law == WHIRL_SPOOL_RATE || how->law == WHIRL_SPOOL_BY_TIME) row.all = how->rate / (r->unit * r->unit);
+    if (how->law == WHIRL_SPOOL_BY_ROTOR)
+        row.by_first = running_table_slope(&r->how.course->spools[k], r->unit * s->exact);
+    if (how->law == WHIRL_SPOOL_BY_FORMULA) {
+        row.all = running_followed_slope(r, k, time, s->exact, true);
+        row.by_first = running_followed_slope(r, k, time, s->exact, false);
+    }
+    return row;
+}
+
+/// Returns theta'' of all shafts of a machine with shafts that have a speed of their own, as running_faster does.
+/// spools [spool_count]: torques on these, completed here.
+static faster running_faster_shafts(const running_rotor *r, double *numbers, const running_state *s, const double *a,
+                                    double *slopes, whirl_torques *torques, whirl_torques *spools) {
+    const double square = r->unit * r->unit, pull[3] = {running_pull(r, 0), running_pull(r, 1), 0.0};
+    shaft_row rows[1 + WHIRL_MAX_SPOOLS];
+    faster by = {.all = 0.0};
+    double whole = 0.0;
+    for (size_t k = 0; k < r->spool_count; k++) spools[k] = (whirl_torques){.motor = 0.0};
+    if (running_is_torqued(r))
+        whole = running_find_torques(r, numbers, s, slopes, torques, spools);
+    else if (slopes)
+        memset(slopes, 0, r->own * sizeof *slopes);
+    rows[0] =
+        (shaft_row){.driven = r->how.driven,
+                    .torque = whole,
+                    .inertia = r->turn_inertia + r->geared_inertia + (r->how.lost ? r->lost_inertia : r->own_inertia),
+                    .force = r->lever_force,
+                    .acceleration = r->lever_acceleration,
+                    .guided = r->guided_lever,
+                    .all = running_rate(r, s) / square};
+    for (size_t k = 0; k < r->spool_count; k++) rows[1 + k] = running_spool_row(r, k, s, &spools[k]);
+    running_solve_shafts(r, s->w, a, pull, 1 + r->spool_count, rows);
+    torques->rotor = rows[0].reaction * square;
+    by.all = rows[0].all;
+    for (size_t k = 0; k < r->spool_count; k++) {
+        by.spools[k] = rows[1 + k].all;
+        spools[k].rotor = rows[1 + k].reaction * square;
+        spools[k].acceleration = by.spools[k] * square;
+    }
+    return by;
+}
 
 /// Returns theta'' with the numbers of the speed w. a [degrees]: accelerations by the angle without theta'', to which
 /// those by torques on twists are added. slopes: of the states of torques by time, or NULL. torques: written only if
@@ -637,11 +868,13 @@ typedef struct faster {
 static faster running_faster(const running_rotor *r, double *numbers, const running_state *s, double *a, double *slopes,
                              whirl_torques *torques) {
     const whirl_rotor *rotor = r->rotor;
+    whirl_torques none[WHIRL_MAX_SPOOLS];
+    if (r->spool_count > 0) return running_faster_shafts(r, numbers, s, a, slopes, torques, none);
     const double square = r->unit * r->unit, w = s->w;
     const bool driven = r->how.driven, twists = rotor->twist_count > 0;
     double whole = 0.0, reaction = 0.0, inertia = r->turn_inertia, turned = 0.0;
     if (driven)
-        whole = running_find_torques(r, numbers, s, slopes, torques);
+        whole = running_find_torques(r, numbers, s, slopes, torques, none);
     else if (slopes)
         memset(slopes, 0, r->own * sizeof *slopes);
     // The accelerations of all twists change the angular momentum of the rigid turn.
@@ -650,12 +883,7 @@ static faster running_faster(const running_rotor *r, double *numbers, const runn
         if (driven) a[i] += r->torque_acceleration[i] / (square * w * w);
         turned += rotor->momentum[i] * rotor->unit[i] * w * w * a[i];
     }
-    if (!driven) {
-        double rate = r->how.rate;
-        if (running_has(r, WHIRL_FORMULA_RATE))
-            rate += running_value(r, WHIRL_FORMULA_RATE, s->x[r->at_speed + 1] / r->unit, s->exact * r->unit);
-        return (faster){rate / square, twists ? turned / inertia : 0.0};
-    }
+    if (!driven) return (faster){.all = running_rate(r, s) / square, .twisted = twists ? turned / inertia : 0.0};
     // Unbalances act as levers.
     inertia += (r->how.lost ? r->lost_inertia : r->own_inertia) + r->geared_inertia;
     for (size_t way = 0; way < 2; way++) reaction -= r->guided_lever[way] * running_pull(r, way) / square;
@@ -666,7 +894,7 @@ static faster running_faster(const running_rotor *r, double *numbers, const runn
         inertia -= u * rotor->unit[i] * r->lever_acceleration[i];
     }
     torques->rotor = reaction * square;
-    return (faster){(whole / square + turned + reaction) / inertia, turned / r->turn_inertia};
+    return (faster){.all = (whole / square + turned + reaction) / inertia, .twisted = turned / r->turn_inertia};
 }
 
 /// Adds the effect of theta'' to the accelerations by the angle a [degrees], with velocities v: q'' = (d2q/dt2 -
@@ -676,6 +904,9 @@ static void running_add_faster(const running_rotor *r, faster by, double w, cons
     const whirl_rotor *rotor = r->rotor;
     const double share = by.all / (w * w), twisted = by.twisted / (w * w);
     for (size_t i = 0; i < rotor->lanes.degrees; i++) a[i] += share * (r->lever_acceleration[i] - v[i]);
+    for (size_t k = 0; k < r->spool_count; k++)
+        for (size_t i = 0; i < rotor->lanes.degrees; i++)
+            a[i] += by.spools[k] / (w * w) * r->spools[k].lever_acceleration[i];
     for (size_t i = rotor->first_twist; i < rotor->first_twist + rotor->twist_count; i++)
         a[i] -= twisted * rotor->rigid[i] / rotor->unit[i];
 }
@@ -710,15 +941,24 @@ static void running_add_shake(const running_rotor *r, double w, const double *x,
 /// state x by the angle. Returns the numbers at w.
 static double *running_flow(const running_rotor *r, double w, const double *forcing, const double *sides,
                             const double *x, double *dxdt) {
-    double *numbers = running_numbers_at(r, w);
+    double *numbers = running_numbers_at(r, w, x);
     const size_t n = r->rotor->lanes.degrees;
     running_find_levers(r, forcing);
+    if (r->spool_count > 0) running_find_spool_levers(r, x);
     if (r->geared_count > 0) running_add_geared(r, fmax(w, slowest), x);
     rotor_flow_with(r->rotor, numbers, forcing, sides, x, dxdt);
     for (size_t i = 0; i < n && r->how.lost; i++)
         dxdt[n + i] += r->lost_cos[i] * forcing[COS_TAU] + r->lost_sin[i] * forcing[SIN_TAU];
+    if (r->how.lost) running_add_lost_spools(r, fmax(w, slowest), x, dxdt + n);
     running_add_shake(r, w, x, dxdt + n);
     return numbers;
+}
+
+/// Computes the forcing at an angle, with the speeds of shafts that have their own, rad/s about z.
+static void running_find_forcing(const running_rotor *r, double angle, const double *x, double *forcing) {
+    r->rotor->system.forcing(r->rotor, angle, forcing);
+    for (size_t k = 0; k < r->spool_count; k++)
+        forcing[FORCING_COUNT + k] = r->rotor->way * r->spools[k].sense * r->unit * x[r->at_spool + 2 * k + 1];
 }
 
 /// Computes the slopes dxdt of a state, by the angle, at a given angle.
@@ -727,15 +967,19 @@ static void running_slopes_at(const running_rotor *r, double angle, const double
     const whirl_rotor *rotor = r->rotor;
     const size_t n = rotor->lanes.degrees, d = rotor->system.dimension, at = r->at_speed;
     const double w = x[at];
-    double forcing[FORCING_COUNT];
+    double forcing[FORCING_COUNT + WHIRL_MAX_SPOOLS];
     whirl_torques torques;
     // Compute the slopes of the rotor at constant speed, then theta'' by the torques.
-    rotor->system.forcing(rotor, angle, forcing);
+    running_find_forcing(r, angle, x, forcing);
     double *numbers = running_flow(r, w, forcing, sides, x, dxdt);
     const faster by = running_faster(r, numbers, &(running_state){w, w, angle, x}, dxdt + n, dxdt + d, &torques);
     running_add_faster(r, by, w, x + n, dxdt + n);
     running_add_pace(r, by.all / (w * w), x + n, dxdt + n);
-    for (size_t i = d; i < at; i++) dxdt[i] /= w * r->unit;
+    for (size_t i = d; i < r->at_spool; i++) dxdt[i] /= w * r->unit;
+    for (size_t k = 0; k < r->spool_count; k++) {
+        dxdt[r->at_spool + 2 * k] = x[r->at_spool + 2 * k + 1] / w;
+        dxdt[r->at_spool + 2 * k + 1] = by.spools[k] / w;
+    }
     dxdt[at] = by.all / w;
     dxdt[at + 1] = 1.0 / w;
 }
@@ -753,10 +997,20 @@ static void running_scale_to_angle(const running_rotor *r, double *x) {
     for (size_t i = n; i < 2 * n; i++) x[i] /= w;
 }
 
+/// Sets the speeds of shafts that follow a formula or the rotor's speed.
+static void running_set_followed(const running_rotor *r, double *x) {
+    for (size_t k = 0; k < r->spool_count; k++) {
+        const whirl_spool_law law = r->how.spools[k].law;
+        if (law == WHIRL_SPOOL_BY_ROTOR || law == WHIRL_SPOOL_BY_FORMULA)
+            x[r->at_spool + 2 * k + 1] = running_followed(r, k, x[r->at_speed + 1] / r->unit, x[r->at_speed]);
+    }
+}
+
 /// Converts a state with derivatives by time to one with derivatives by the angle, in workspace.
 static const double *running_placed_by_angle(const running_rotor *r, const double *x) {
     memcpy(r->place, x, (r->at_speed + 2) * sizeof *r->place);
     running_scale_to_angle(r, r->place);
+    running_set_followed(r, r->place);
     return r->place;
 }
 
@@ -766,12 +1020,12 @@ static void running_rhs_by_time(const void *model, double t, const double *given
     const whirl_rotor *rotor = r->rotor;
     const size_t n = rotor->lanes.degrees, d = rotor->system.dimension, at = r->at_speed;
     const double w = fmax(x[at], slowest), angle = x[at + 2];
-    double forcing[FORCING_COUNT];
+    double forcing[FORCING_COUNT + WHIRL_MAX_SPOOLS];
     whirl_torques torques;
     (void)given, (void)t;
     // Compute the slopes of the rotor at constant speed by the angle, then theta'' by the torques.
-    rotor->system.forcing(rotor, angle, forcing);
     const double *place = running_placed_by_angle(r, x);
+    running_find_forcing(r, angle, place, forcing);
     double *numbers = running_flow(r, w, forcing, sides, place, dxdt);
     const faster by =
         running_faster(r, numbers, &(running_state){x[at], w, angle, place}, dxdt + n, dxdt + d, &torques);
@@ -779,12 +1033,17 @@ static void running_rhs_by_time(const void *model, double t, const double *given
     for (size_t i = 0; i < n; i++) {
         dxdt[i] = x[n + i];
         dxdt[n + i] = w * w * dxdt[n + i] + by.all * r->lever_acceleration[i];
+        for (size_t k = 0; k < r->spool_count; k++) dxdt[n + i] += by.spools[k] * r->spools[k].lever_acceleration[i];
     }
     for (size_t i = rotor->first_twist; i < rotor->first_twist + rotor->twist_count; i++)
         dxdt[n + i] -= by.twisted * rotor->rigid[i] / rotor->unit[i];
     for (size_t i = 2 * n; i < d; i++) dxdt[i] *= w;
     running_add_pace(r, by.all / w, place + n, dxdt + n);
-    for (size_t i = d; i < at; i++) dxdt[i] /= r->unit;
+    for (size_t i = d; i < r->at_spool; i++) dxdt[i] /= r->unit;
+    for (size_t k = 0; k < r->spool_count; k++) {
+        dxdt[r->at_spool + 2 * k] = place[r->at_spool + 2 * k + 1];
+        dxdt[r->at_spool + 2 * k + 1] = by.spools[k];
+    }
     dxdt[at] = by.all;
     dxdt[at + 1] = 1.0;
     dxdt[at + 2] = x[at];
@@ -819,12 +1078,25 @@ static void running_free_by_time(const void *model, double t, const double *forc
 static void running_switches_by_angle(const void *model, double t, const double *x, double *values) {
     const running_rotor *r = model;
     (void)t;
-    rotor_switches_with(r->rotor, running_numbers_at(r, x[r->at_speed]), x, values);
+    rotor_switches_with(r->rotor, running_numbers_at(r, x[r->at_speed], x), x, values);
 }
 
 static void running_switches_by_time(const void *model, double t, const double *x, double *values) {
     const running_rotor *r = model;
     running_switches_by_angle(r, t, running_placed_by_angle(r, x), values);
+}
+
+/// Writes the derivative of a switch by the speed of shaft k with a speed of its own.
+static void running_spool_gradient(const running_rotor *r, const double *x, size_t index, size_t k, double *gradient) {
+    const size_t at = r->at_spool + 2 * k + 1;
+    const double step = 1e-6 * fmax(x[at], slowest);
+    double values[2][WHIRL_MAX_SWITCHES];
+    for (size_t side = 0; side < 2; side++) {
+        memcpy(r->spool_place, x, (r->at_speed + 2) * sizeof *x);
+        r->spool_place[at] += side == 0 ? step : -step;
+        rotor_switches_with(r->rotor, running_numbers_at(r, x[r->at_speed], r->spool_place), x, values[side]);
+    }
+    gradient[at] = (values[0][index] - values[1][index]) / (2.0 * step);
 }
 
 /// Writes the gradient of a switch. The derivative by the speed is a difference quotient, since switches depend on the
@@ -833,11 +1105,12 @@ static void running_gradient_at(const running_rotor *r, const double *x, size_t 
     const size_t at = r->at_speed;
     const double w = x[at], step = 1e-6 * fmax(w, slowest);
     double values[2][WHIRL_MAX_SWITCHES];
-    rotor_gradient_with(r->rotor, running_numbers_at(r, w), x, index, gradient);
-    rotor_switches_with(r->rotor, running_numbers_at(r, w + step), x, values[0]);
-    rotor_switches_with(r->rotor, running_numbers_at(r, w - step), x, values[1]);
+    rotor_gradient_with(r->rotor, running_numbers_at(r, w, x), x, index, gradient);
+    rotor_switches_with(r->rotor, running_numbers_at(r, w + step, x), x, values[0]);
+    rotor_switches_with(r->rotor, running_numbers_at(r, w - step, x), x, values[1]);
     for (size_t i = r->rotor->system.dimension; i < at + 2; i++) gradient[i] = 0.0;
     gradient[at] = (values[0][index] - values[1][index]) / (2.0 * step);
+    for (size_t k = 0; k < r->spool_count; k++) running_spool_gradient(r, x, index, k, gradient);
 }
 
 static void running_gradient_by_angle(const void *model, double t, const double *x, size_t index, double *gradient,
@@ -878,6 +1151,8 @@ static void running_fill_systems(running_rotor *r) {
                          .switch_touches = own->switch_count > 0 ? running_touches : NULL,
                          .probe_count = own->probe_count,
                          .probes = own->probes,
+                         .spool_count = own->spool_count,
+                         .spools = own->spools,
                          .model = r,
                          .stop = own->stop};
     r->by_angle = r->by_time = both;
@@ -941,13 +1216,31 @@ static void running_to_angle(const whirl_running *running, double *x) {
 static void running_torques(const whirl_running *running, const double *x, double angle, whirl_torques *out) {
     const running_rotor *r = (const running_rotor *)running;
     const double exact = x[r->at_speed], w = fmax(exact, slowest);
-    double forcing[FORCING_COUNT];
+    double forcing[FORCING_COUNT + WHIRL_MAX_SPOOLS];
     *out = (whirl_torques){.motor = NAN, .load = NAN, .friction = NAN, .rotor = NAN, .drag = NAN};
-    r->rotor->system.forcing(r->rotor, angle, forcing);
+    running_find_forcing(r, angle, x, forcing);
     double *numbers = running_flow(r, w, forcing, NULL, x, r->slope);
     const faster by =
         running_faster(r, numbers, &(running_state){exact, w, angle, x}, r->slope + r->rotor->lanes.degrees, NULL, out);
     out->acceleration = r->unit * r->unit * by.all;
+}
+
+static void running_spool_torques(const whirl_running *running, const double *x, double angle, whirl_torques *out) {
+    const running_rotor *r = (const running_rotor *)running;
+    const double exact = x[r->at_speed], w = fmax(exact, slowest);
+    double forcing[FORCING_COUNT + WHIRL_MAX_SPOOLS];
+    whirl_torques own;
+    running_find_forcing(r, angle, x, forcing);
+    double *numbers = running_flow(r, w, forcing, NULL, x, r->slope);
+    running_faster_shafts(r, numbers, &(running_state){exact, w, angle, x}, r->slope + r->rotor->lanes.degrees, NULL,
+                          &own, out);
+    for (size_t k = 0; k < r->spool_count; k++)
+        if (r->how.spools[k].law != WHIRL_SPOOL_DRIVEN)
+            out[k].motor = out[k].load = out[k].friction = out[k].drag = out[k].rotor = NAN;
+}
+
+static void running_follow(const whirl_running *running, double *x) {
+    running_set_followed((const running_rotor *)running, x);
 }
 
 /// Returns the torque of a spring between twists, positive if its first place drives the second in the sense of the
@@ -977,7 +1270,7 @@ static void running_watch(const whirl_running *running, const double *x, double 
         if (r->rotor->links[i].stiffness > 0.0) *torque++ = running_link_torque(r, &r->rotor->links[i], &s);
     const element *carrier;
     for (size_t i = 0; (carrier = rotor_carrier(r->rotor, i)) != NULL; i++)
-        *torque++ = rotor_carried(r->rotor, carrier, running_numbers_at(r, s.w), x);
+        *torque++ = rotor_carried(r->rotor, carrier, running_numbers_at(r, s.w, x), x);
 }
 
 /// Returns the station at an end of a spring between twists.
@@ -1053,7 +1346,7 @@ static void running_contacts(const whirl_running *running, const double *x, doub
         memset(normal_force, 0, r->rotor->contact_count * sizeof *normal_force);
         return;
     }
-    rotor_contacts_with(r->rotor, running_numbers_at(r, x[r->at_speed]), x, normal_force, NULL);
+    rotor_contacts_with(r->rotor, running_numbers_at(r, x[r->at_speed], x), x, normal_force, NULL);
 }
 
 static const whirl_system *running_in_lanes(const whirl_running *running) {
@@ -1068,6 +1361,11 @@ static void running_release(whirl_running *running) {
     free(r->numbers);
     free(r->varying);
     free(r->splines);
+    free(r->spooled);
+    free(r->spool_splines);
+    for (size_t k = 0; k < r->spool_count; k++) free(r->spools[k].lever_force);
+    free(r->spools);
+    free(r->spool_at);
     free(r->block);
     free(r->along);
     free(r);
@@ -1076,34 +1374,73 @@ static void running_release(whirl_running *running) {
 /// Counts the states of torques and the observed torques, and finds the inertia of all turning parts.
 static void running_count(running_rotor *r) {
     const whirl_rotor *rotor = r->rotor;
-    const size_t torques = r->driven ? rotor->torque_count : 0;
+    bool driven = r->driven;
+    for (size_t k = 0; k < r->spool_count; k++) driven = driven || r->spools[k].driven;
+    const size_t torques = driven ? rotor->torque_count : 0;
     for (size_t i = 0; i < torques; i++) r->own += rotor->torques[i].law->states;
-    r->at_speed = rotor->system.dimension + r->own;
+    r->at_spool = rotor->system.dimension + r->own;
+    r->at_speed = r->at_spool + 2 * r->spool_count;
     r->turn_inertia = rotor->drive.inertia;
     for (size_t i = rotor->first_twist; i < rotor->first_twist + rotor->twist_count; i++)
         r->turn_inertia += rotor->momentum[i] * rotor->rigid[i];
-    r->shown.in_time = torques > 0 || rotor->twist_count > 0;
+    r->shown.in_time = torques > 0 || rotor->twist_count > 0 || r->spool_count > 0;
     r->slip = r->shown.in_time ? slipping * r->unit : 0.0;
     r->shown.driver = rotor->driver;
-    r->shown.watched_count = r->driven ? rotor->system.torque_count : 0;
+    r->shown.watched_count = driven ? rotor->system.torque_count : 0;
+    r->shown.spool_count = r->spool_count;
+    r->shown.spool_state = r->at_spool;
+}
+
+/// Makes the machine at the unit of speed. Its shafts with a speed of their own have that of the base.
+static whirl_status running_make_base(running_rotor *r, whirl_machine_at *make, const void *context,
+                                      const whirl_spool_range *spools) {
+    whirl_status status = make(context, r->unit, NULL, &r->machine);
+    if (status.code == WHIRL_OK) status = running_check_machine(r, &r->machine);
+    if (status.code != WHIRL_OK || r->machine.system->spool_count == 0) return status;
+    double speeds[WHIRL_MAX_SPOOLS] = {0.0};
+    r->spool_count = r->machine.system->spool_count;
+    for (size_t k = 0; k < r->spool_count; k++) {
+        const whirl_spool *own = &r->machine.system->spools[k];
+        const double highest = spools ? spools[k].highest : own->speed;
+        r->spools[k] = running_spool_of(highest / r->unit, own->sense);
+        speeds[k] = r->spools[k].highest * r->unit;
+        if (!(highest > 0.0))
+            status = whirl_fail(WHIRL_BAD_INPUT, "the highest speed of shaft '%s' is %.6g rad/s, expected one above 0",
+                                own->name, highest);
+        else if (spools && spools[k].driven && !(rotor_of_system(r->machine.system)->spool_drives[k].inertia > 0.0))
+            status = whirl_fail(WHIRL_BAD_INPUT,
+                                "torques turn shaft '%s' and its inertia is not known, expected the key inertia of its "
+                                "drive",
+                                own->name);
+    }
+    if (r->machine.release) r->machine.release(r->machine.owner);
+    r->machine = (whirl_machine){.system = NULL};
+    if (status.code == WHIRL_OK) status = make(context, r->unit, speeds, &r->machine);
+    return status.code == WHIRL_OK ? running_check_machine(r, &r->machine) : status;
 }
 
 whirl_status whirl_running_new(whirl_machine_at *make, const void *context, double lowest, double highest, bool driven,
-                               whirl_running **out) {
+                               const whirl_spool_range *spools, whirl_running **out) {
     running_rotor *r = calloc(1, sizeof *r);
     *out = NULL;
-    if (!r) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine whose speed changes");
+    if (r) r->spools = calloc(WHIRL_MAX_SPOOLS, sizeof *r->spools);
+    if (r) r->spool_at = calloc(WHIRL_MAX_SPOOLS, sizeof *r->spool_at);
+    if (!r || !r->spools || !r->spool_at) {
+        if (r) running_release(&r->shown);
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine whose speed changes");
+    }
     r->unit = highest;
     r->driven = driven;
     r->lowest_node = fmin(fmax(lowest / highest, 1.0 / 256.0), 0.999);
     // Make the machine at the highest speed, and find its numbers as functions of the speed.
-    whirl_status status = make(context, highest, &r->machine);
-    if (status.code == WHIRL_OK) status = running_check_machine(r, &r->machine);
+    whirl_status status = running_make_base(r, make, context, spools);
     if (status.code == WHIRL_OK) {
         r->rotor = rotor_of_system(r->machine.system);
+        for (size_t k = 0; k < r->spool_count; k++) r->spools[k].driven = spools && spools[k].driven;
         running_count(r);
         status = running_find_numbers(r, make, context);
     }
+    if (status.code == WHIRL_OK) status = running_add_spools(r);
     if (status.code == WHIRL_OK) status = running_add_turnings(r);
     if (status.code == WHIRL_OK && !running_lanes_fill(r))
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine whose speed changes");
@@ -1124,6 +1461,8 @@ whirl_status whirl_running_new(whirl_machine_at *make, const void *context, doub
     r->shown.adopt = running_adopt;
     r->shown.to_angle = running_to_angle;
     r->shown.torques = running_torques;
+    r->shown.spool_torques = running_spool_torques;
+    r->shown.follow = running_follow;
     r->shown.watch = running_watch;
     r->shown.watched = running_watched;
     r->shown.speeds = running_speeds;

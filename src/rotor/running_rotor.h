@@ -23,6 +23,44 @@ typedef struct number_of_speed {
     int lift;                  ///< 0, 1 or 2: w^lift times the number has a limit at low speeds
 } number_of_speed;
 
+/// Nodes of a spline; speeds of its nodes, and of the checks between them; stored numbers of a spline.
+enum { SPLINE_NODES = 33, SPLINE_SPEEDS = 2 * SPLINE_NODES - 1, SPLINE_NUMBERS = 2 * SPLINE_NODES };
+
+/// The form of a number that depends on the speed W of a shaft with a speed of its own, by the rotor's speed w.
+typedef enum spool_form {
+    SPOOL_PRODUCT, ///< w^lift G(W)
+    SPOOL_SUM,     ///< F(w) + w^lift (G(W) - G(highest)), with F as without such shafts
+    SPOOL_RELATIVE ///< w^lift G(|s|), s = one speed of two shafts plus `sign` times the other; odd: times the sign of s
+} spool_form;
+
+/// A number of the machine that changes with the speed of a shaft whose speed is its own. Speeds are divided by the
+/// unit. The member `by` is a function of W or |s|.
+typedef struct spool_number {
+    size_t index;
+    spool_form form;
+    int lift;                   ///< power of the rotor's speed
+    size_t of[2];               ///< shafts: 0 the rotor's, from 1 those with a speed of their own; of[1]: W
+    double sign;                ///< of a relative speed
+    bool odd;                   ///< the number changes its sign with that of the relative speed
+    double highest;             ///< G at the highest W
+    number_of_speed by;         ///< G
+    const number_of_speed *own; ///< F, if it varies; otherwise NULL, and `constant` is F
+    double constant;
+} spool_number;
+
+/// A shaft with a speed of its own.
+typedef struct running_spool {
+    double highest; ///< speed over the unit at which numbers of other shafts are sampled, near its highest (the base)
+    double top;     ///< highest speed over the unit
+    double sense;   ///< as in whirl_spool
+    double lowest_node, node_distance;        ///< of splines over its speed
+    bool driven;                              ///< its drive turns it at some time
+    double inertia;                           ///< kg m2 about its axis: that of its drive, and what unbalances add
+    double lost_inertia;                      ///< kg m2: what unbalances that have appeared add
+    double *lever_force, *lever_acceleration; ///< [degrees] workspace: levers of its theta'' on a coordinate
+    double guided_lever[2];                   ///< workspace: levers along x and y of what does not move that way
+} running_spool;
+
 /// Numbers of a machine for all coordinates on which unbalances act as levers, and for the shaft.
 enum {
     LEVER_UNIT, ///< size of the coordinate's unit, m or rad
@@ -115,11 +153,73 @@ typedef struct running_rotor {
     double slip; ///< speed below which the dry friction of the load falls to 0, rad/s; 0: it never does (drive_load)
     bool driven; ///< torques drive the machine
     whirl_system by_angle, by_time;
-    whirl_lanes form;      ///< form of `together`
-    whirl_system together; ///< by_angle in vector lanes, with the angle as time
-    running_lanes lanes;   ///< rows of the numbers that the kernels of `together` read (running_lanes.c)
-    double from;           ///< angle at which the current part of a revolution begins
+    whirl_lanes form;             ///< form of `together`
+    whirl_system together;        ///< by_angle in vector lanes, with the angle as time
+    running_lanes lanes;          ///< rows of the numbers that the kernels of `together` read (running_lanes.c)
+    double from;                  ///< angle at which the current part of a revolution begins
+    size_t spool_count, at_spool; ///< shafts with a speed of their own, and index of the first one's angle in states
+    running_spool *spools;        ///< [spool_count] workspace in parts
+    double *spool_place;          ///< [dimension] workspace
+    size_t lost_spool_count;
+    whirl_placed lost_spools[WHIRL_MAX_EVENTS + 2]; ///< [lost_spool_count] unbalances of `lose` on these shafts
+    size_t spooled_count;
+    spool_number *spooled; ///< [spooled_count] numbers that change with their speeds
+    double *spool_splines; ///< all splines of these
+    double *spool_at;      ///< [spool_count] workspace: their speeds for which `numbers` hold
 } running_rotor;
+
+/// Finds the fewest powers whose sum is y at all speeds w [count]. Returns false if there is no such sum.
+bool running_find_powers(size_t count, const double *w, const double *y, double power[POWERS]);
+
+/// Computes the second derivatives of the cubic spline through y [SPLINE_NODES] at equal distances h, with parabolas at
+/// its ends.
+void running_spline_bend(double h, const double *y, double *curvature);
+
+/// Returns the power of the speed that makes a number finite at low speeds: 0, 1 or 2. w [2]: the lowest two speeds.
+int running_spline_lift(const double *w, double lowest, double next);
+
+/// Returns a number at a speed, over nodes of splines from `lowest` at distances `distance`.
+double running_number_at(const number_of_speed *of, double lowest, double distance, double w);
+
+/// Makes the machine at speeds w [count], divided by the unit, and writes its numbers, out [count][number_count].
+/// spools [count][spool_count]: speeds of the shafts with a speed of their own over the unit; NULL: the highest.
+whirl_status running_sample(const running_rotor *r, whirl_machine_at *make, const void *context, size_t count,
+                            const double *w, const double *spools, double *out);
+
+/// Finds how numbers depend on the speeds of shafts with a speed of their own (running_spools.c). y
+/// [POWER_SPEEDS][number_count]: numbers at the speeds w of the rotor and the highest speeds of these shafts.
+whirl_status running_find_spooled(running_rotor *r, whirl_machine_at *make, const void *context, const double *w,
+                                  const double *y);
+
+/// Evaluates these numbers at a speed of the rotor, in the workspace; spools [spool_count]: their speeds over the unit.
+void running_put_spooled(const running_rotor *r, double w, const double *spools);
+
+/// Makes the shafts with a speed of their own, with unbalances on them. WHIRL_NO_MEMORY.
+whirl_status running_add_spools(running_rotor *r);
+
+/// Returns a shaft with a speed of its own by its highest speed over the unit, and its sense.
+running_spool running_spool_of(double highest, double sense);
+
+/// Computes their levers in a state x by the angle.
+void running_find_spool_levers(const running_rotor *r, const double *x);
+
+/// A shaft's part of the equation of all shafts.
+typedef struct shaft_row {
+    bool driven;                        ///< torques turn it; otherwise `all` is given
+    double torque;                      ///< N m, without the rotor's reaction
+    double inertia;                     ///< kg m2 about its axis
+    const double *force, *acceleration; ///< [degrees] levers of its theta''
+    const double *guided;               ///< [2] likewise along x and y of what does not move that way
+    double by_first;                    ///< of a given theta'': derivative by that of the first shaft
+    double all;      ///< theta'' over the square of the unit of speed; computed where torques turn it
+    double reaction; ///< computed: torque of its unbalances on it, over the square of the unit, at theta'' = 0
+} shaft_row;
+
+/// Solves the equation of all shafts, rows [count] of which the first is the rotor's own. a [degrees]: accelerations by
+/// the angle without theta'', at the speed w; pull [3]: that of gravity less the ground's acceleration along x and y,
+/// m/s2, and 0.
+void running_solve_shafts(const running_rotor *r, double w, const double *a, const double pull[3], size_t count,
+                          shaft_row *rows);
 
 /// Fills in `lanes`, `form` and `together` when all other members are filled in. Returns false without memory
 /// (running_lanes.c).

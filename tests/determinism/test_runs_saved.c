@@ -107,18 +107,19 @@ static void stopping_save(void *context, double turns, const void *bytes, size_t
     own->stop = true;
 }
 
-static whirl_status make_running(const void *context, double lowest, double highest, bool is_driven, size_t count,
-                                 const unsigned char *happened, whirl_running **running) {
+static whirl_status make_running(const void *context, double lowest, double highest, bool is_driven,
+                                 const whirl_spool_range *spools, size_t count, const unsigned char *happened,
+                                 whirl_running **running) {
     run_point at = *(const run_point *)context;
     at.count = count;
     at.events = happened;
-    return whirl_running_new(run_point_machine, &at, lowest, highest, is_driven, running);
+    return whirl_running_new(run_point_machine, &at, lowest, highest, is_driven, spools, running);
 }
 
 static whirl_status make_at_speed(const void *context, double speed, whirl_variant variant, double value,
                                   whirl_machine *machine) {
     (void)variant, (void)value;
-    return run_point_machine(context, speed, machine);
+    return run_point_machine(context, speed, NULL, machine);
 }
 
 /// Computes the run of a case, from a state unless that is NULL, to its end or where it is stopped. Returns its block
@@ -131,7 +132,7 @@ static double *compute(const char *text, void *state, size_t bytes, stopping *ho
     require_ok(whirl_case_study(object, &study));
     const whirl_batch *batch = &study.batches[0];
     const run_point at = {.study = &study, .value = NAN, .stop = &how->stop};
-    require_ok(run_point_machine(&at, 0.0, &machine));
+    require_ok(run_point_machine(&at, 0.0, NULL, &machine));
     assert_non_null(layout);
     require_ok(whirl_layout_new(machine.system, &batch->integrate, &batch->record, batch->analyses, layout));
     double *block = malloc(layout->size * sizeof *block);

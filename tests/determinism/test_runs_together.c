@@ -116,18 +116,19 @@ enum { POINTS = 5 };
 
 // ---------------------------------------------------------------- computing points
 
-static whirl_status make_running(const void *context, double lowest, double highest, bool is_driven, size_t count,
-                                 const unsigned char *happened, whirl_running **running) {
+static whirl_status make_running(const void *context, double lowest, double highest, bool is_driven,
+                                 const whirl_spool_range *spools, size_t count, const unsigned char *happened,
+                                 whirl_running **running) {
     run_point at = *(const run_point *)context;
     at.count = count;
     at.events = happened;
-    return whirl_running_new(run_point_machine, &at, lowest, highest, is_driven, running);
+    return whirl_running_new(run_point_machine, &at, lowest, highest, is_driven, spools, running);
 }
 
 static whirl_status make_at_speed(const void *context, double speed, whirl_variant variant, double value,
                                   whirl_machine *machine) {
     (void)variant, (void)value;
-    return run_point_machine(context, speed, machine);
+    return run_point_machine(context, speed, NULL, machine);
 }
 
 /// Points of a case, and their blocks.
@@ -157,7 +158,7 @@ static bool compute(const char *text, size_t count, const size_t *which, fan *ou
     for (size_t i = 0; i < count; i++) {
         statuses[i] = whirl_ok();
         at[i] = (run_point){.study = &study, .value = 0.8 + 0.1 * (double)which[i]};
-        require_ok(run_point_machine(&at[i], 0.0, &machines[i]));
+        require_ok(run_point_machine(&at[i], 0.0, NULL, &machines[i]));
         points[i] = (whirl_resting){.system = machines[i].system,
                                     .start = machines[i].start,
                                     .clock = machines[i].clock,
@@ -265,7 +266,7 @@ static bool goes_in_lanes(const char *text) {
     whirl_running *running;
     require_ok(whirl_case_study(object, &study));
     const run_point at = {.study = &study, .value = 1.0};
-    require_ok(whirl_running_new(run_point_machine, &at, 300.0, 700.0, false, &running));
+    require_ok(whirl_running_new(run_point_machine, &at, 300.0, 700.0, false, NULL, &running));
     const bool goes = running->in_lanes(running) != NULL;
     running->release(running);
     whirl_case_free(object);

@@ -14,7 +14,8 @@ typedef struct run_point {
     const whirl_stop *stop;      ///< NULL, or ends its runs
 } run_point;
 
-/// Makes the machine of a point with its own bearings at a speed, rad/s, 0: its own. `context` is a run_point.
-whirl_status run_point_machine(const void *context, double speed, whirl_machine *machine);
+/// Makes the machine of a point with its own bearings at a speed, rad/s, 0: its own; spools: as whirl_machine_at.
+/// `context` is a run_point.
+whirl_status run_point_machine(const void *context, double speed, const double *spools, whirl_machine *machine);
 
 #endif

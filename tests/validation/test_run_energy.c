@@ -120,11 +120,11 @@ static bool ledger_touches(const void *model, size_t index) {
 /// Opens the machine of a case, driven by its torques from rest on, at its equilibrium: x, the state.
 static void ledger_open(ledger *own, const run_point *at, double *x) {
     whirl_machine machine;
-    require_ok(run_point_machine(at, 0.0, &machine));
+    require_ok(run_point_machine(at, 0.0, NULL, &machine));
     const double highest = machine.drive_speed;
     machine.release(machine.owner);
-    require_ok(whirl_running_new(run_point_machine, at, 0.0, highest, true, &own->running));
-    require_ok(run_point_machine(at, highest / 256.0, &machine));
+    require_ok(whirl_running_new(run_point_machine, at, 0.0, highest, true, NULL, &own->running));
+    require_ok(run_point_machine(at, highest / 256.0, NULL, &machine));
     memcpy(x, machine.start, machine.system->dimension * sizeof *x);
     require_ok(whirl_equilibrium(machine.system, x));
     machine.release(machine.owner);

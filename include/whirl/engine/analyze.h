@@ -274,16 +274,19 @@ typedef struct whirl_resting {
     /// some variants need (whirl_variant). Errors as those of machines.
     whirl_status (*at_speed)(const void *context, double speed, whirl_variant variant, double value,
                              whirl_machine *machine);
+    /// Makes the same machine at a speed, and with speeds of shafts that have their own, as whirl_machine_at does.
+    whirl_status (*at_speeds)(const void *context, double speed, const double *spools, whirl_machine *machine);
     /// Makes the same machine at its own speed, with coefficients at a frequency of whirl, rad/s, where they depend on
     /// it; the caller releases it.
     whirl_status (*at_frequency)(const void *context, double frequency, whirl_variant variant, double value,
                                  whirl_machine *machine);
     /// Makes the same machine with a speed that changes between `lowest` and `highest`, rad/s: `driven` by its torques,
-    /// or at a given rate. happened [count]: the events of its course that have happened, in this order. Errors as
-    /// whirl_running_new.
-    whirl_status (*running)(const void *context, double lowest, double highest, bool driven, size_t count,
-                            const unsigned char *happened, whirl_running **running);
-    const void *context; ///< passed to at_speed, at_frequency and running
+    /// or at a given rate; spools: ranges of shafts with a speed of their own. happened [count]: the events of its
+    /// course that have happened, in this order. Errors as whirl_running_new.
+    whirl_status (*running)(const void *context, double lowest, double highest, bool driven,
+                            const whirl_spool_range *spools, size_t count, const unsigned char *happened,
+                            whirl_running **running);
+    const void *context; ///< passed to at_speed, at_speeds, at_frequency and running
     /// Called by run-ups after every turn, with the time up to which the block is filled in, s, and the share of the
     /// run that is done; NULL: not called.
     void (*passed)(void *watcher, double time, double share);

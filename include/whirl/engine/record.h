@@ -81,10 +81,12 @@ typedef struct whirl_runup_options {
                                                            ///< depend on it
     char events[WHIRL_NAME_SIZE];                          ///< number of further events as text, or ""
     int event_count; ///< number of events of the course (whirl_run_course), including the change of parameters
-    char speeds[WHIRL_NAME_SIZE];                              ///< text of the speed over the time, or ""
-    char rate_law[WHIRL_NAME_SIZE];                            ///< formula of the rate, or ""
-    char torque_law[WHIRL_NAME_SIZE];                          ///< formula of the motor's torque, or ""
-    char load_law[WHIRL_NAME_SIZE];                            ///< formula of the load, or ""
+    char shafts[WHIRL_NAME_SIZE];     ///< names of the shafts with a speed of their own, separated by blanks, or ""
+    int shaft_count;                  ///< number of these shafts
+    char speeds[WHIRL_NAME_SIZE];     ///< text of the speed over the time, or ""
+    char rate_law[WHIRL_NAME_SIZE];   ///< formula of the rate, or ""
+    char torque_law[WHIRL_NAME_SIZE]; ///< formula of the motor's torque, or ""
+    char load_law[WHIRL_NAME_SIZE];   ///< formula of the load, or ""
     char ground_x[WHIRL_NAME_SIZE], ground_y[WHIRL_NAME_SIZE]; ///< formulas of the ground's acceleration, or ""
     char sensitivity[WHIRL_NAME_SIZE]; ///< "yes", "no", or "contacts" (only in machines with contacts): a perturbed
                                        ///< copy of the run is followed

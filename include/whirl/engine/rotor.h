@@ -125,6 +125,12 @@ void whirl_design_frequency(whirl_design *design, double frequency);
 /// differs from its table by more than the bearing's fit_error.
 void whirl_design_in_time(whirl_design *design);
 
+/// Sets the speeds of the shafts that have a speed of their own (key `speed`), rad/s along their own rotations, in
+/// their order: speeds [count]; more than there are such shafts are ignored. The sense of each rotation stays that of
+/// its key. vary: the shafts change their speeds while the rotor runs (whirl_running_new); it is then valid there
+/// alone.
+void whirl_design_spools(whirl_design *design, size_t count, const double *speeds, bool vary);
+
 /// Replaces all unbalances that turn with the rotor (of stations, discs and elements `unbalance`, and skew) by
 /// unbalances [count] at stations of the design. Borrowed until the rotor is built. 0: the rotor keeps its own.
 void whirl_design_unbalances(whirl_design *design, size_t count, const whirl_placed *placed);

@@ -6,7 +6,9 @@
 ///
 /// with T the torque of the drive less its load, the friction of contacts and the drag of films and seals, and
 /// unbalances U_i at angles a_i. An unbalance that turns at n times the speed has n theta in place of theta, and n u_i
-/// in both sums. The force of an unbalance is U_i theta'^2 (cos, sin)(theta + a_i) + u_i theta''. Where a torque turns
+/// in both sums. The force of an unbalance is U_i theta'^2 (cos, sin)(theta + a_i) + u_i theta''. Shafts with a speed
+/// of their own (whirl_spool) have such an equation each, with the unbalances, contacts and films on them; all theta''
+/// together solve a small system, since every unbalance accelerates what others act on. Where a torque turns
 /// a disc through its shaft it follows the disc's axis, and polar inertia adds no moment with theta'' (docs/theory.md).
 /// Coefficients of films, bearings and seals are those of the speed of the moment.
 ///
@@ -33,6 +35,7 @@ enum { WHIRL_MAX_EVENTS = 16, WHIRL_MAX_SPEEDS = 256, WHIRL_NO_EVENT = WHIRL_MAX
 typedef struct whirl_run_event {
     double time;       ///< s, since the event `after`, or since the beginning of the run; NaN: the time is no condition
     double speed;      ///< rad/s, that the shaft passes; NaN: the speed is no condition
+    size_t spool;      ///< shaft of that speed, and of the motor that trips: 0: the rotor's, from 1: whirl_spool
     int passing;       ///< 1: passed by a rising speed, -1: by a falling speed, 0: by either
     bool when;         ///< true if it happens when its formula is not below 0
     size_t after;      ///< the event that must have happened before; WHIRL_NO_EVENT: none
@@ -49,9 +52,18 @@ typedef enum whirl_run_formula {
     WHIRL_FORMULA_LOAD,     ///< N m, torque of the load against the rotation
     WHIRL_FORMULA_GROUND_X, ///< m/s2, acceleration of the ground
     WHIRL_FORMULA_GROUND_Y,
-    WHIRL_FORMULA_EVENT, ///< formula of event 0; those of other events follow
-    WHIRL_FORMULAS = WHIRL_FORMULA_EVENT + WHIRL_MAX_EVENTS
+    WHIRL_FORMULA_EVENT,                                          ///< formula of event 0; those of other events follow
+    WHIRL_FORMULA_SPOOL = WHIRL_FORMULA_EVENT + WHIRL_MAX_EVENTS, ///< of the first whirl_spool, WHIRL_SPOOL_FORMULAS
+    WHIRL_FORMULAS = WHIRL_FORMULA_SPOOL + 3 * WHIRL_MAX_SPOOLS
 } whirl_run_formula;
+
+/// Formulas of a shaft with a speed of its own (whirl_spool), behind WHIRL_FORMULA_SPOOL.
+enum {
+    WHIRL_SPOOL_SPEED, ///< rad/s, its speed by the time and the rotor's speed
+    WHIRL_SPOOL_MOTOR, ///< N m, torque of its motor, by the time and its own speed
+    WHIRL_SPOOL_LOAD,  ///< N m, torque of its load
+    WHIRL_SPOOL_FORMULAS
+};
 
 /// Variables of formulas. All formulas may use the time and the speed; only those of events may use the variables of
 /// stations.
@@ -69,6 +81,25 @@ enum {
     WHIRL_OF_STATION
 };
 
+/// What gives the speed of a shaft with a speed of its own.
+typedef enum whirl_spool_law {
+    WHIRL_SPOOL_RATE,       ///< a rate, 0 for a constant speed
+    WHIRL_SPOOL_BY_TIME,    ///< a table over the time, straight between its rows
+    WHIRL_SPOOL_BY_ROTOR,   ///< a table over the rotor's speed, monotone cubics between its rows
+    WHIRL_SPOOL_BY_FORMULA, ///< WHIRL_SPOOL_SPEED
+    WHIRL_SPOOL_DRIVEN      ///< its drive
+} whirl_spool_law;
+
+/// The course of a shaft with a speed of its own. Speeds are along its rotation.
+typedef struct whirl_spool_course {
+    whirl_spool_law law;
+    double from, to; ///< rad/s: speed at the beginning, and at the end of the rate (0: none)
+    double rate;     ///< rad/s2, the size of the rate
+    double highest;  ///< rad/s, no higher speed occurs
+    size_t count;    ///< rows of its table
+    double at[WHIRL_MAX_SPEEDS], speeds[WHIRL_MAX_SPEEDS]; ///< [count] s or rad/s of the rotor, rising; and rad/s
+} whirl_spool_course;
+
 /// Events of a run, and its laws of time and speed, which supplement its options. Not to be shared between threads.
 typedef struct whirl_run_course {
     size_t event_count;                                             ///< number of events
@@ -76,6 +107,8 @@ typedef struct whirl_run_course {
     size_t speed_count;                                             ///< rows of the speed table; 0: none
     double speed_times[WHIRL_MAX_SPEEDS], speeds[WHIRL_MAX_SPEEDS]; ///< s, rising from 0, and rad/s; linear between
                                                                     ///< rows
+    size_t spool_count;                                             ///< as in whirl_system
+    whirl_spool_course spools[WHIRL_MAX_SPOOLS];                    ///< [spool_count]
     bool has[WHIRL_FORMULAS];                                       ///< formulas that are given
     double length;                                                  ///< m of one unit of displacement
     double *variables; ///< [WHIRL_VARIABLE_STATIONS + WHIRL_OF_STATION * stations] that formulas read
@@ -87,6 +120,13 @@ typedef struct whirl_run_course {
 /// Returns the index of the first row of the table of speeds after a time, s, or the number of rows if there is none.
 size_t whirl_run_course_next(const whirl_run_course *course, double time);
 
+/// The motion of a shaft with a speed of its own: what gives its speed now.
+typedef struct whirl_spool_turning {
+    whirl_spool_law law;
+    double rate;  ///< rad/s2, with a rate or a table over the time
+    bool tripped; ///< the motor of its drive is lost, its load is not
+} whirl_spool_turning;
+
 /// The motion of the shaft: its rate or drive, and the events that have happened.
 typedef struct whirl_turning {
     bool driven;                    ///< the torques of the machine's drive turn the shaft; else it has the given rate
@@ -96,6 +136,7 @@ typedef struct whirl_turning {
     bool dragless;                  ///< films and seals do not brake the shaft: the load of the drive includes their
                                     ///< drag
     const whirl_run_course *course; ///< laws of time and speed, or NULL
+    whirl_spool_turning spools[WHIRL_MAX_SPOOLS]; ///< shafts with a speed of their own
 } whirl_turning;
 
 /// Torques on the shaft, N m, in the sense of the rotation.
@@ -134,6 +175,9 @@ struct whirl_running {
     bool geared;          ///< unbalances turn at fixed ratios of the shaft's speed
     size_t driver;        ///< station of the first motor, whose speed triggers events; the number of stations if no
                           ///< station twists
+    size_t spool_count;   ///< shafts with a speed of their own (whirl_system.spools)
+    size_t spool_state;   ///< index of the angle of the first of them, rad along its rotation, in states; its speed
+                          ///< follows, over `unit`, then angle and speed of the next
     size_t contact_count; ///< number of contacts
     size_t watched_count; ///< number of watched torques: those at stations (motors and others), then those between
                           ///< twists
@@ -158,6 +202,13 @@ struct whirl_running {
 
     /// Finds the torques on the shaft in a state by the angle, at that angle.
     void (*torques)(const whirl_running *running, const double *x, double angle, whirl_torques *out);
+
+    /// Finds the torques on the shafts with a speed of their own, out [spool_count], along their rotations, likewise.
+    void (*spool_torques)(const whirl_running *running, const double *x, double angle, whirl_torques *out);
+
+    /// Sets the speeds of the shafts that follow a formula or the rotor's speed in a state. It changes by the errors of
+    /// the integration.
+    void (*follow)(const whirl_running *running, double *x);
 
     /// Writes the torques that are watched, N m, in a state by the angle, at that angle: of a motor in the sense of its
     /// station's rotation, between twists positive where the first station drives the second.
@@ -188,8 +239,16 @@ struct whirl_running {
     void (*release)(whirl_running *running);
 };
 
-/// Makes the machine at a speed in rad/s, above 0. All have one structure and length scale.
-typedef whirl_status whirl_machine_at(const void *context, double speed, whirl_machine *machine);
+/// Makes the machine at a speed in rad/s, above 0; spools: speeds of the shafts with a speed of their own
+/// [WHIRL_MAX_SPOOLS], of which the first count, along their rotations, or NULL for those of their keys. All have one
+/// structure and length scale.
+typedef whirl_status whirl_machine_at(const void *context, double speed, const double *spools, whirl_machine *machine);
+
+/// The range of a shaft with a speed of its own in a run.
+typedef struct whirl_spool_range {
+    double highest; ///< rad/s, above 0: no higher speed occurs
+    bool driven;    ///< its drive turns it at some time
+} whirl_spool_range;
 
 /// Checks that the speed of a system's shaft can change. driven: by the torques of the machine. WHIRL_BAD_INPUT with a
 /// sentence for systems that are not rotors, have a phase of their own, have no inertia, or have stations that twist
@@ -202,11 +261,14 @@ whirl_status whirl_running_check_change(const whirl_system *system, const whirl_
 
 /// Makes a machine whose speed changes from `lowest` (>= 0) to `highest` rad/s, by its torques if `driven`. It
 /// determines how the numbers of the rotor depend on the speed: as powers from -2 to 2 if these fit to rounding, else
-/// as cubic splines (whirl_running.error). WHIRL_BAD_INPUT with a sentence if machines are not rotors, change their
-/// structure with the speed, or have a phase of their own; WHIRL_NO_MEMORY; errors of `machine`. Freed by its
-/// `release`.
+/// as cubic splines (whirl_running.error). spools: ranges of the shafts with a speed of their own
+/// [whirl_system.spool_count]; NULL if there are none, or all keep the speeds of their keys. A number that depends on
+/// the speeds of two shafts is a product, a sum, or a function of the sum or difference of both speeds, times a power
+/// of the rotor's. WHIRL_BAD_INPUT with a sentence if machines are not rotors, change their structure with the speed,
+/// have a phase of their own, or have a number that depends on two speeds in another way; WHIRL_NO_MEMORY; errors of
+/// `machine`. Freed by its `release`.
 whirl_status whirl_running_new(whirl_machine_at *machine, const void *context, double lowest, double highest,
-                               bool driven, whirl_running **out);
+                               bool driven, const whirl_spool_range *spools, whirl_running **out);
 
 #ifdef __cplusplus
 }

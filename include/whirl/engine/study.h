@@ -91,9 +91,13 @@ typedef struct whirl_batch {
     const whirl_dataset *dataset;     ///< data set, each of whose records is a point; borrowed; NULL: none
     /// Requested machine: 1 + index of the machine among those of samples, or of the record; 0: none.
     size_t sampled;
-    bool outline;          ///< requested machine: an outline (whirl_rotor_outline)
-    double speed;          ///< requested machine: speed, rad/s; 0, and in the batch itself: its own
-    bool asynchronous;     ///< true if the requested machine has its coefficients at `frequency`
+    bool outline;                          ///< requested machine: an outline (whirl_rotor_outline)
+    double speed;                          ///< requested machine: speed, rad/s; 0, and in the batch itself: its own
+    size_t spool_count;                    ///< requested machine: number of speeds below; 0: those of the keys
+    double spool_speeds[WHIRL_MAX_SPOOLS]; ///< [spool_count] rad/s of the shafts with a speed of their own, along their
+                                           ///< rotations; more than there are shafts are ignored
+    bool spools_vary;                      ///< requested machine: true if these speeds change while it runs
+    bool asynchronous;                     ///< true if the requested machine has its coefficients at `frequency`
     double frequency;      ///< frequency of whirl, rad/s, at which coefficients are taken instead of at the shaft's
                            ///< speed
     double variant_value;  ///< requested machine: value of its variant

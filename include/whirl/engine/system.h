@@ -244,6 +244,9 @@ typedef struct whirl_system {
     /// place of twists: 1 for an axial mode.
     double (*axial)(const void *model, const double *v, double *shape);
 
+    size_t spool_count;               ///< shafts whose speed does not depend on the rotor's
+    const struct whirl_spool *spools; ///< [spool_count] borrowed
+
     size_t torque_count; ///< number of torques that are recorded in run-ups in which a drive turns the shaft
                          ///< (whirl_running.watch)
 
@@ -255,6 +258,18 @@ typedef struct whirl_system {
     /// of the system for which their ensemble was made.
     const whirl_stop *stop;
 } whirl_system;
+
+/// Maximum number of shafts of a rotor whose speed does not depend on the rotor's.
+enum { WHIRL_MAX_SPOOLS = 3 };
+
+/// A shaft whose speed does not depend on the rotor's. Its speeds and torques are positive along its own rotation.
+typedef struct whirl_spool {
+    char name[WHIRL_NAME_SIZE];
+    double speed;       ///< rad/s, of machines at constant speeds
+    double sense;       ///< 1: it turns with the rotor, -1: against it
+    bool driven;        ///< it has a drive of its own
+    double drive_speed; ///< rad/s, of the motor of that drive without load; 0: there is no such speed
+} whirl_spool;
 
 /// An unbalance that turns with the rotor.
 typedef struct whirl_placed {

@@ -31,6 +31,13 @@ static size_t runup_every_row_with_torques(const block_shape *shape) {
     return runup_every_torque(shape) > 0 ? runup_every_row(shape) : 0;
 }
 
+static size_t runup_every_shaft(const block_shape *shape) {
+    return (size_t)shape->options->runup.shaft_count;
+}
+static size_t runup_every_shaft_and_row(const block_shape *shape) {
+    return runup_every_shaft(shape) * runup_every_row(shape);
+}
+
 /// Names of the elements with torques, by their number in the field of torques.
 static const char *const torque_kinds[WHIRL_TORQUE_KINDS] = {[WHIRL_TORQUE_BETWEEN] = "twist",
                                                              [WHIRL_TORQUE_INDUCTION_MOTOR] = "induction_motor",
@@ -79,7 +86,7 @@ static size_t runup_every_bin_of_spectra(const block_shape *shape) {
 
 static size_t runup_every_stationary(const block_shape *shape) {
     const whirl_runup_options *o = &shape->options->runup;
-    const bool other = shape->torque_count > 0 || shape->twists || *o->torque_law || *o->load_law;
+    const bool other = shape->torque_count > 0 || shape->twists || *o->torque_law || *o->load_law || o->shaft_count > 0;
     return !whirl_runup_driven(o) || o->stationary == 0 || other ? 0 : RUNUP_STATIONARY;
 }
 
@@ -193,6 +200,36 @@ static const field_plan fields[FIELD_COUNT] = {
     [STATION_SPEED] = {WHIRL_FIELD_RUNUP_STATION_SPEED, "rad/s",
                        "speed of the station at the end of the row, in the sense of its rotation", WHIRL_PER_STATION, 1,
                        runup_every_row_with_torques},
+    [SHAFT_END] =
+        {WHIRL_FIELD_RUNUP_SHAFT_END, "1",
+         "speed, turns (rad/s and turns of each shaft with a speed of its own at the end of the run, along its "
+         "rotation)",
+         WHIRL_PER_POINT, 2, runup_every_shaft},
+    [SHAFT_TIME] =
+        {WHIRL_FIELD_RUNUP_SHAFT_TIME, "s",
+         "of the row: the middle of the last turn of that shaft in it (missing where none ended; all rows of "
+         "the first shaft, then of the next)",
+         WHIRL_PER_POINT, 1, runup_every_shaft_and_row},
+    [SHAFT_SPEED] = {WHIRL_FIELD_RUNUP_SHAFT_SPEED, "rad/s", "of that shaft, over that turn", WHIRL_PER_POINT, 1,
+                     runup_every_shaft_and_row},
+    [SHAFT_TURNS] = {WHIRL_FIELD_RUNUP_SHAFT_TURNS, "1", "of that shaft since the beginning, at its end",
+                     WHIRL_PER_POINT, 1, runup_every_shaft_and_row},
+    [SHAFT_TORQUE] = {WHIRL_FIELD_RUNUP_SHAFT_TORQUE, "N m",
+                      "motor, load, friction, rotor, drag (on that shaft at its end, along its rotation; missing where "
+                      "a law gives its speed)",
+                      WHIRL_PER_POINT, TORQUE_COLUMNS, runup_every_shaft_and_row},
+    [SHAFT_AMPLITUDE] = {WHIRL_FIELD_RUNUP_SHAFT_AMPLITUDE, "length",
+                         "x1, y1, x2, y2, x3, y3, x4, y4 (0-p amplitudes of x and y at 1 to 4 times the speed of that "
+                         "shaft, over that turn)",
+                         WHIRL_PER_STATION, ORDER_COLUMNS, runup_every_shaft_and_row},
+    [SHAFT_LAG] = {WHIRL_FIELD_RUNUP_SHAFT_LAG, "deg",
+                   "x1, y1, x2, y2, x3, y3, x4, y4 (by which these peaks come after that shaft's mark)",
+                   WHIRL_PER_STATION, ORDER_COLUMNS, runup_every_shaft_and_row},
+    [SHAFT_WHIRL] =
+        {WHIRL_FIELD_RUNUP_SHAFT_WHIRL, "length",
+         "forward1, backward1, forward2, backward2, forward3, backward3, forward4, backward4 (0-p amplitudes "
+         "of the circular parts of these motions, with and against the rotation of that shaft)",
+         WHIRL_PER_STATION, ORDER_COLUMNS, runup_every_shaft_and_row},
     [SPECTRUM_TIME] = {WHIRL_FIELD_RUNUP_SPECTRUM_TIME, "s",
                        "time of the spectrum: the middle of its turns (missing before that many turns)",
                        WHIRL_PER_POINT, 1, runup_every_spectrum},
@@ -288,6 +325,24 @@ static void runup_fill_station(const filling *f, const runup_turn *turn, size_t 
     }
 }
 
+/// Fills in the motion of a station over a turn of a shaft with a speed of its own. at: row in the fields of all
+/// shafts.
+static void runup_fill_spool_station(const filling *f, const runup_spool_turn *turn, size_t probe, size_t at) {
+    const runup_station *own = &turn->stations[probe];
+    const bool clockwise = f->way * f->system->spools[turn->spool].sense < 0.0;
+    double *amplitude = view_numbers(f->view, SHAFT_AMPLITUDE, probe) + at * ORDER_COLUMNS;
+    double *lag = view_numbers(f->view, SHAFT_LAG, probe) + at * ORDER_COLUMNS;
+    double *whirl = view_numbers(f->view, SHAFT_WHIRL, probe) + at * ORDER_COLUMNS;
+    for (size_t k = 0; k < RUNUP_ORDERS; k++) {
+        const whirl_synchronous part = synchronous_of(own->x[k], own->y[k], f->radius[probe]);
+        for (size_t i = 0; i < 2; i++) {
+            amplitude[2 * k + i] = part.amplitude[i];
+            lag[2 * k + i] = part.lag[i];
+            whirl[2 * k + i] = part.amplitude[clockwise ? 3 - i : 2 + i];
+        }
+    }
+}
+
 static size_t runup_row_at(const filling *f, double time) {
     const double place = time / f->duration * (double)f->rows;
     return place >= (double)f->rows ? f->rows - 1 : place > 0.0 ? (size_t)place : 0;
@@ -339,6 +394,19 @@ static void runup_fill_row(void *context, const runup_turn *turn) {
     torque[3] = turn->torques.rotor;
     torque[4] = turn->torques.drag;
     if (f->point->passed) f->point->passed(f->point->watcher, turn->end, fmin(turn->end / f->duration, 1.0));
+}
+
+static void runup_fill_spool_row(void *context, const runup_spool_turn *turn) {
+    const filling *f = context;
+    const size_t at = turn->spool * f->rows + runup_row_at(f, turn->end);
+    if (!view_numbers(f->view, SHAFT_TIME, 0)) return;
+    for (size_t p = 0; p < f->system->probe_count; p++) runup_fill_spool_station(f, turn, p, at);
+    view_numbers(f->view, SHAFT_TIME, 0)[at] = turn->time;
+    view_numbers(f->view, SHAFT_SPEED, 0)[at] = turn->speed;
+    view_numbers(f->view, SHAFT_TURNS, 0)[at] = turn->turns;
+    const double torque[TORQUE_COLUMNS] = {turn->torques.motor, turn->torques.load, turn->torques.friction,
+                                           turn->torques.rotor, turn->torques.drag};
+    memcpy(view_numbers(f->view, SHAFT_TORQUE, 0) + at * TORQUE_COLUMNS, torque, sizeof torque);
 }
 
 // ---------------------------------------------------------------- runs that are saved
@@ -417,13 +485,27 @@ static double runup_lowest_speed(const whirl_resting *point, const whirl_runup_o
     return o->rate > 0.0 && o->to == 0.0 ? o->from : fmin(o->from, o->to);
 }
 
+/// Returns the course of shaft k with a speed of its own: without one it keeps the speed of its key.
+static whirl_spool_course runup_spool_course(const whirl_resting *point, size_t k) {
+    const double speed = point->system->spools[k].speed;
+    if (point->course && k < point->course->spool_count) return point->course->spools[k];
+    return (whirl_spool_course){.law = WHIRL_SPOOL_RATE, .from = speed, .highest = speed};
+}
+
 /// Finds the state at which the run begins: start [*count], displacements and velocities by time, in which `unit` is
 /// the unit of speed.
 static whirl_status runup_find_start(const whirl_resting *point, const whirl_runup_options *o, double unit,
                                      double *start, size_t *count) {
     whirl_machine machine;
-    whirl_status status =
-        point->at_speed(point->context, o->from > 0.0 ? o->from : unit / 256.0, WHIRL_AS_GIVEN, 0.0, &machine);
+    const double from = o->from > 0.0 ? o->from : unit / 256.0;
+    double spools[WHIRL_MAX_SPOOLS] = {0.0};
+    for (size_t k = 0; k < point->system->spool_count; k++) {
+        const whirl_spool_course own = runup_spool_course(point, k);
+        spools[k] = own.from > 0.0 ? own.from : own.highest / 256.0;
+    }
+    whirl_status status = point->system->spool_count > 0
+                              ? point->at_speeds(point->context, from, spools, &machine)
+                              : point->at_speed(point->context, from, WHIRL_AS_GIVEN, 0.0, &machine);
     if (status.code != WHIRL_OK) return status;
     const size_t d = *count = machine.system->dimension;
     if (strcmp(o->begin, "centre") != 0) {
@@ -493,6 +575,10 @@ static void runup_fill_end(const filling *f, const runup_run *run) {
     *view_numbers(view, END_SPEED, 0) = run->speed;
     *view_numbers(view, END_TURNS, 0) = run->turns;
     *view_numbers(view, NUMBERS_ERROR, 0) = run->error;
+    for (size_t k = 0; k < f->system->spool_count && view_numbers(view, SHAFT_END, 0); k++) {
+        view_numbers(view, SHAFT_END, 0)[2 * k] = run->spool_speed[k];
+        view_numbers(view, SHAFT_END, 0)[2 * k + 1] = run->spool_turns[k];
+    }
     double *sensitivity = view_numbers(view, SENSITIVITY, 0);
     if (sensitivity) memcpy(sensitivity, run->sensitivity, sizeof run->sensitivity);
     runup_fill_events(view, run);
@@ -517,12 +603,13 @@ typedef struct changing {
     const whirl_resting *point;
     double lowest, highest;
     bool driven;
+    whirl_spool_range spools[WHIRL_MAX_SPOOLS];
 } changing;
 
 static whirl_status runup_make_machine(const void *context, size_t count, const unsigned char *happened,
                                        whirl_running **running) {
     const changing *c = context;
-    return c->point->running(c->point->context, c->lowest, c->highest, c->driven, count, happened, running);
+    return c->point->running(c->point->context, c->lowest, c->highest, c->driven, c->spools, count, happened, running);
 }
 
 /// Returns the options of a run, with the first and last speed of its table of speeds if it has one.
@@ -554,7 +641,14 @@ static void runup_job_open(runup_job *job, const whirl_resting *point, const whi
                            const block_view *view) {
     job->options = runup_with_table(point, options);
     const whirl_runup_options *o = &job->options;
-    job->make = (changing){point, runup_lowest_speed(point, o), runup_highest_speed(point, o), whirl_runup_driven(o)};
+    job->make = (changing){.point = point,
+                           .lowest = runup_lowest_speed(point, o),
+                           .highest = runup_highest_speed(point, o),
+                           .driven = whirl_runup_driven(o)};
+    for (size_t k = 0; k < point->system->spool_count; k++) {
+        const whirl_spool_course own = runup_spool_course(point, k);
+        job->make.spools[k] = (whirl_spool_range){own.highest, own.law == WHIRL_SPOOL_DRIVEN};
+    }
     job->view = view;
     job->status = runup_make_machine(&job->make, 0, NULL, &job->running);
 }
@@ -593,6 +687,7 @@ static void runup_job_begin(runup_job *job, bool resume) {
                              .integrate = whirl_integrate_default(),
                              .angle = o->angle,
                              .see = runup_fill_row,
+                             .see_spool = runup_fill_spool_row,
                              .watch = runup_fill_torques,
                              .context = &job->f,
                              .turned = runup_save,

@@ -281,6 +281,13 @@ const whirl_member *whirl_runup_members(void) {
         MEMBER(whirl_runup_options, WHOLE, "runup_event_count", event_count, "", false, "event_count", "", "1",
                WHIRL_KEY_WHOLE, false, "0", WHIRL_FROM_TO(0, WHIRL_MAX_EVENTS), NULL,
                "number of the events, and of a change of parameters", ""),
+        RUNUP(
+            WORD, shafts, "", WHIRL_KEY_CHOICE, "", WHIRL_ANY, "",
+            "laws of the shafts with a speed of their own (key `speed` of rotor.shafts), each under its name; a shaft "
+            "without a law is turned by its drive, and one that is not listed keeps its speed"),
+        MEMBER(whirl_runup_options, WHOLE, "runup_shaft_count", shaft_count, "", false, "shaft_count", "", "1",
+               WHIRL_KEY_WHOLE, false, "0", WHIRL_FROM_TO(0, WHIRL_MAX_SPOOLS), NULL,
+               "number of shafts with a speed of their own", ""),
         RUNUP(WORD, speeds, "", WHIRL_KEY_CHOICE, "", WHIRL_ANY, "",
               "in place of a rate: the speed over the time as a list of [time, speed], linear between them, or a file "
               "of comma-separated values with the columns time and speed"),

@@ -18,6 +18,14 @@ static double runup_time_of(const runner *r, const double *x) {
     return x[r->rotor + 1] / r->unit;
 }
 
+/// Returns the angle, rad, and the speed, rad/s, of shaft k with a speed of its own.
+static double runup_spool_angle(const runner *r, const double *x, size_t k) {
+    return x[r->spool_state + 2 * k];
+}
+static double runup_spool_speed(const runner *r, const double *x, size_t k) {
+    return x[r->spool_state + 2 * k + 1] * r->unit;
+}
+
 /// Returns the angle of the shaft in a state. With the angle as variable, returns that at the beginning of the turn.
 static double runup_angle_of(const runner *r, const double *x) {
     return r->by_time ? x[r->rotor + 2] : r->angle0;
@@ -266,6 +274,10 @@ static void runup_place_copy(runner *r, double factor) {
         else
             r->copy[i] = r->x[i] + (i < r->rotor ? apart / (double)(1 + 7 * i % 5) : 0.0);
     if (!r->how.driven) r->copy[r->rotor] = r->x[r->rotor];
+    for (size_t k = 0; k < r->spools; k++)
+        if (r->how.spools[k].law != WHIRL_SPOOL_DRIVEN)
+            memcpy(r->copy + r->spool_state + 2 * k, r->x + r->spool_state + 2 * k, 2 * sizeof *r->x);
+    if (r->spools > 0) r->machine->follow(r->machine, r->copy);
     r->copy[r->rotor + 1] = r->x[r->rotor + 1];
 }
 
@@ -334,6 +346,29 @@ static void runup_add_orders(runner *r, double passed, double step, size_t count
             for (size_t order = 0; order < RUNUP_ORDERS; order++) {
                 own->x[order] += of->turned[order] * x;
                 own->y[order] += of->turned[order] * y;
+            }
+        }
+    }
+}
+
+/// Adds a part to the means and orders of the shafts with a speed of their own, over their angles.
+static void runup_add_spool_orders(runner *r, double step, size_t count) {
+    for (size_t spool = 0; spool < r->spools; spool++) {
+        runup_station *stations = r->spool_stations + spool * r->probes;
+        for (size_t k = 0; k <= count; k++) {
+            const double *sample = runup_sample(r, k);
+            const double passed = step * runup_spool_speed(r, sample, spool) / r->unit;
+            runup_weights of[1];
+            runup_fill_weights(of, 0, count, passed, runup_spool_angle(r, sample, spool));
+            of->share = runup_weight(k, count) * passed / two_pi;
+            for (size_t p = 0; p < r->probes; p++) {
+                const double x = of->share * runup_value(r, sample, p, 0), y = of->share * runup_value(r, sample, p, 1);
+                stations[p].mean[0] += x;
+                stations[p].mean[1] += y;
+                for (size_t order = 0; order < RUNUP_ORDERS; order++) {
+                    stations[p].x[order] += of->turned[order] * x;
+                    stations[p].y[order] += of->turned[order] * y;
+                }
             }
         }
     }
@@ -493,6 +528,7 @@ static void runup_see_part(runner *r, double from, double passed, double length)
     runup_see_contacts(r, from, step, count);
     runup_see_torques(r, step, count);
     runup_add_orders(r, passed, step, count);
+    if (r->spools > 0) runup_add_spool_orders(r, step, count);
     if (r->plan->samples) runup_keep_instants(r, passed, step, count);
     if (!runup_has_instants(r)) return;
     if (r->by_time || length != r->length) runup_find_slopes(r, from, length);
@@ -532,11 +568,14 @@ enum {
     EVENT_DWELL,
     EVENT_CORNER, ///< corner of the speed table
     EVENT_TORQUE,
-    EVENT_FIRST ///< the first of the run's own events; others follow
+    EVENT_SPOOL,                                        ///< a turn of the first shaft with a speed of its own ends
+    EVENT_SPOOL_DWELL = EVENT_SPOOL + WHIRL_MAX_SPOOLS, ///< its rate ends
+    EVENT_FIRST = EVENT_SPOOL_DWELL + WHIRL_MAX_SPOOLS  ///< the first of the run's own events; others follow
 };
 
-/// Maximum number of conditions: the end by time and by speed, a corner, a turn, a torque; and three for every event.
-enum { MAX_COMING = 5 + 3 * RUNUP_EVENTS };
+/// The end by time and by speed, a corner, a turn, a torque; a turn, and a corner or the end of a rate, of every shaft
+/// with a speed of its own; and two conditions of every event besides its formula.
+enum { MAX_COMING = 5 + 2 * WHIRL_MAX_SPOOLS + 3 * RUNUP_EVENTS };
 
 /// Something that happens when a quantity passes a target, rising (1), falling (-1) or both (0).
 typedef struct coming {
@@ -551,12 +590,17 @@ static double runup_time_quantity(const runner *r, const double *x, size_t which
     (void)which;
     return runup_time_of(r, x);
 }
-/// Returns the speed of the motor's station if it twists, otherwise of the shaft.
+/// Returns the speed of the motor's station if it twists, otherwise of the shaft. which: from 1, a shaft with a speed
+/// of its own.
 static double runup_speed_quantity(const runner *r, const double *x, size_t which) {
-    (void)which;
+    if (which > 0) return runup_spool_speed(r, x, which - 1);
     if (r->machine->driver >= r->probes) return runup_speed_of(r, x);
     r->machine->speeds(r->machine, runup_placed(r, x), r->speed);
     return r->speed[r->machine->driver];
+}
+
+static double runup_spool_angle_quantity(const runner *r, const double *x, size_t which) {
+    return runup_spool_angle(r, x, which);
 }
 
 static double runup_angle_quantity(const runner *r, const double *x, size_t which) {
@@ -603,13 +647,45 @@ static size_t runup_list_event(const runner *r, size_t k, coming *list) {
     const int what = EVENT_FIRST + (int)k;
     double since = 0.0;
     size_t count = 0;
-    if (!isnan(own->time) || (own->is.trip && (r->how.tripped || !r->how.driven))) return 0;
+    const whirl_spool_turning *spool = own->is.spool > 0 ? &r->how.spools[own->is.spool - 1] : NULL;
+    const bool tripped = spool ? spool->tripped || spool->law != WHIRL_SPOOL_DRIVEN : r->how.tripped || !r->how.driven;
+    if (!isnan(own->time) || (own->is.trip && tripped)) return 0;
     if (own->is.after != WHIRL_NO_EVENT) since = r->run->events[first + own->is.after].time;
     if (isnan(since)) return 0;
     if (!isnan(own->is.time)) list[count++] = (coming){what, runup_time_quantity, since + own->is.time, 0, 1};
-    if (!isnan(own->is.speed)) list[count++] = (coming){what, runup_speed_quantity, own->is.speed, 0, own->is.passing};
+    if (!isnan(own->is.speed))
+        list[count++] = (coming){what, runup_speed_quantity, own->is.speed, own->is.spool, own->is.passing};
     if (own->is.when) list[count++] = (coming){what, runup_formula_quantity, 0.0, k - first, 1};
     if (count == 0) list[count++] = (coming){what, runup_time_quantity, since, 0, 1};
+    return count;
+}
+
+/// Returns the angle at which the present turn of a shaft with a speed of its own ends.
+static double runup_spool_turn_end(const runner *r, size_t spool) {
+    return two_pi * (r->spool_turns[spool] + 1.0);
+}
+
+/// Returns the index of the first row after a time in the table of shaft k, or the number of rows.
+static size_t runup_spool_corner(const runner *r, size_t spool) {
+    const whirl_spool_course *own = &r->plan->course->spools[spool];
+    const double time = runup_time_of(r, r->x) * (1.0 + 1e-12);
+    size_t row = 0;
+    while (row < own->count && own->at[row] <= time) row++;
+    return row;
+}
+
+/// Lists what may happen to the shafts with a speed of their own.
+static size_t runup_list_spools(const runner *r, coming *list) {
+    size_t count = 0;
+    for (size_t k = 0; k < r->spools; k++) {
+        const whirl_spool_turning *how = &r->how.spools[k];
+        const whirl_spool_course *own = r->plan->course ? &r->plan->course->spools[k] : NULL;
+        list[count++] = (coming){EVENT_SPOOL + (int)k, runup_spool_angle_quantity, runup_spool_turn_end(r, k), k, 1};
+        if (how->law == WHIRL_SPOOL_RATE && how->rate != 0.0 && own && own->to > 0.0)
+            list[count++] = (coming){EVENT_SPOOL_DWELL + (int)k, runup_speed_quantity, own->to, 1 + k, 0};
+        if (how->law == WHIRL_SPOOL_BY_TIME && runup_spool_corner(r, k) < own->count)
+            list[count++] = (coming){EVENT_CORNER, runup_time_quantity, own->at[runup_spool_corner(r, k)], 0, 1};
+    }
     return count;
 }
 
@@ -641,6 +717,7 @@ static size_t runup_list_coming(const runner *r, coming list[MAX_COMING]) {
         if (corner < course->speed_count)
             list[count++] = (coming){EVENT_CORNER, runup_time_quantity, course->speed_times[corner], 0, 1};
     }
+    count += runup_list_spools(r, list + count);
     for (size_t k = 0; k < r->run->event_count; k++) count += runup_list_event(r, k, list + count);
     return count;
 }
@@ -650,9 +727,25 @@ static bool runup_passes(const coming *what, double before, double after) {
            (what->passing <= 0 && before > what->target && after <= what->target);
 }
 
+/// Sets the rates of shafts with a speed of their own that follow a table over the time, as runup_follow_table does.
+static void runup_follow_spools(runner *r) {
+    for (size_t k = 0; k < r->spools; k++) {
+        if (r->how.spools[k].law != WHIRL_SPOOL_BY_TIME) continue;
+        const whirl_spool_course *own = &r->plan->course->spools[k];
+        const size_t next = runup_spool_corner(r, k), last = next - 1; // a table begins at time 0
+        const double time = runup_time_of(r, r->x);
+        double *speed = &r->x[r->spool_state + 2 * k + 1];
+        if (time - own->at[last] <= 2e-12 * time) *speed = own->speeds[last] / r->unit;
+        if (r->copy) r->copy[r->spool_state + 2 * k + 1] = *speed;
+        r->how.spools[k].rate =
+            next == own->count ? 0.0 : (own->speeds[next] - own->speeds[last]) / (own->at[next] - own->at[last]);
+    }
+}
+
 /// Sets the rate of the speed table from the present time on; at a corner the speed is that of the table.
 static void runup_follow_table(runner *r) {
     const whirl_run_course *course = r->plan->course;
+    runup_follow_spools(r);
     if (!course || course->speed_count == 0) return;
     const size_t next = runup_next_corner(r), last = next - 1; // a table begins at time 0
     const double time = runup_time_of(r, r->x);
@@ -704,7 +797,7 @@ static bool runup_let_happen(runner *r, size_t k) {
     runup_happening *own = &r->run->events[k];
     own->time = runup_time_of(r, r->x);
     own->at = runup_speed_of(r, r->x);
-    if (own->is.trip) r->how.tripped = true;
+    if (own->is.trip) *(own->is.spool > 0 ? &r->how.spools[own->is.spool - 1].tripped : &r->how.tripped) = true;
     if (own->is.lost.moment > 0.0) {
         r->lost[r->lost_count++] = own->is.lost;
         r->how.lost = true;
@@ -718,11 +811,17 @@ static bool runup_let_happen(runner *r, size_t k) {
 static bool runup_happen(runner *r, int what) {
     bool ends = false;
     if (what == EVENT_NONE || what == EVENT_TURN || what == EVENT_TORQUE) return false;
+    if (what >= EVENT_SPOOL && what < EVENT_SPOOL_DWELL) return false;
     r->parted = r->parted || what != EVENT_END;
     if (what == EVENT_DWELL) {
         r->how.rate = 0.0;
         r->x[r->rotor] = r->plan->options->to / r->unit;
         if (r->copy) r->copy[r->rotor] = r->x[r->rotor];
+    } else if (what >= EVENT_SPOOL_DWELL && what < EVENT_FIRST) {
+        const size_t k = (size_t)(what - EVENT_SPOOL_DWELL);
+        r->how.spools[k].rate = 0.0;
+        r->x[r->spool_state + 2 * k + 1] = r->plan->course->spools[k].to / r->unit;
+        if (r->copy) r->copy[r->spool_state + 2 * k + 1] = r->x[r->spool_state + 2 * k + 1];
     } else if (what >= EVENT_FIRST) {
         ends = runup_let_happen(r, (size_t)(what - EVENT_FIRST));
     }
@@ -736,9 +835,11 @@ static bool runup_is_here(const runner *r, const coming *what) {
     const double value = what->of(r, r->x, what->which);
     if (what->of == runup_formula_quantity) return value >= 0.0;
     if (what->of == runup_speed_quantity && what->passing != 0) {
-        whirl_torques torques;
-        r->machine->torques(r->machine, runup_placed(r, r->x), runup_angle_of(r, r->x), &torques);
-        if (!(torques.acceleration * what->passing > 0.0)) return false;
+        whirl_torques torques[1 + WHIRL_MAX_SPOOLS];
+        r->machine->torques(r->machine, runup_placed(r, r->x), runup_angle_of(r, r->x), &torques[0]);
+        if (what->which > 0)
+            r->machine->spool_torques(r->machine, runup_placed(r, r->x), runup_angle_of(r, r->x), &torques[1]);
+        if (!(torques[what->which].acceleration * what->passing > 0.0)) return false;
     }
     return fabs(value - what->target) <= 1e-12 * what->target;
 }
@@ -751,7 +852,7 @@ static bool runup_happen_now(runner *r) {
         const size_t count = runup_list_coming(r, list);
         int what = EVENT_NONE;
         for (size_t i = 0; i < count && what == EVENT_NONE; i++) {
-            const bool once = list[i].what == EVENT_DWELL || list[i].what >= EVENT_FIRST;
+            const bool once = list[i].what == EVENT_DWELL || list[i].what >= EVENT_SPOOL_DWELL;
             if (list[i].what == EVENT_END && runup_is_here(r, &list[i])) ends = true;
             if (once && runup_is_here(r, &list[i])) what = list[i].what;
         }
@@ -797,6 +898,8 @@ static int runup_find_event(runner *r, double from, double length, double *at, d
 /// Returns true if the shaft stands: it turned and came to rest, or turned back.
 static bool runup_stands(const runner *r, const double *x) {
     const double speed = x[r->rotor];
+    for (size_t k = 0; k < r->spools; k++)
+        if (!(runup_spool_speed(r, x, k) >= -0.02 * r->unit)) return true;
     return isnan(speed) || speed < -0.02 || (speed < 1e-3 && r->turns >= 1.0);
 }
 
@@ -894,6 +997,44 @@ static void runup_end_turn(runner *r) {
     r->first = false;
 }
 
+/// Begins the next turn of shaft k with a speed of its own.
+static void runup_begin_spool_turn(runner *r, size_t k, bool whole) {
+    for (size_t p = 0; p < r->probes; p++) r->spool_stations[k * r->probes + p] = (runup_station){.radius = 0.0};
+    r->spool_begin[k] = whole ? runup_time_of(r, r->x) : (double)NAN;
+}
+
+/// Begins the turns of shafts with a speed of their own when the time of the run begins.
+static void runup_begin_spools(runner *r) {
+    for (size_t k = 0; k < r->spools; k++) {
+        const double turns = runup_spool_angle(r, r->x, k) / two_pi;
+        r->spool_before[k] = turns;
+        r->spool_turns[k] = floor(turns + 1e-9);
+        runup_begin_spool_turn(r, k, fabs(turns - r->spool_turns[k]) < 1e-9);
+    }
+}
+
+/// Ends the turns of shafts with a speed of their own that end in the present state.
+static void runup_end_spool_turns(runner *r) {
+    whirl_torques torques[WHIRL_MAX_SPOOLS];
+    bool found = false;
+    for (size_t k = 0; k < r->spools; k++) {
+        if (!(runup_spool_angle(r, r->x, k) > runup_spool_turn_end(r, k) - 1e-9)) continue;
+        if (!found) r->machine->spool_torques(r->machine, runup_placed(r, r->x), runup_angle_of(r, r->x), torques);
+        found = true;
+        const double begin = r->spool_begin[k], end = runup_time_of(r, r->x);
+        r->spool_turns[k] += 1.0;
+        const runup_spool_turn turn = {.spool = k,
+                                       .time = 0.5 * (begin + end),
+                                       .speed = two_pi / (end - begin),
+                                       .end = end,
+                                       .turns = r->spool_turns[k] - r->spool_before[k],
+                                       .stations = r->spool_stations + k * r->probes,
+                                       .torques = torques[k]};
+        if (!isnan(begin) && r->plan->see_spool) r->plan->see_spool(r->plan->context, &turn);
+        runup_begin_spool_turn(r, k, true);
+    }
+}
+
 /// Processes the part of a turn that was carried, with its samples, from x to `end`.
 static void runup_take_part(runner *r, whirl_motion motion) {
     double *end = r->end, *there = r->scratch + 2 * r->most, at;
@@ -918,6 +1059,13 @@ static void runup_take_part(runner *r, whirl_motion motion) {
     const double passed = r->by_time ? end[r->rotor + 2] - r->x[r->rotor + 2] : at;
     memcpy(r->x, end, r->dimension * sizeof *end);
     if (what == EVENT_NONE && (r->by_time ? runup_ends_turn(r, r->x) : rest)) what = EVENT_TURN;
+    if (r->spools > 0) {
+        r->machine->follow(r->machine, r->x);
+        runup_end_spool_turns(r);
+        // Turns of two shafts may end together.
+        const bool turned = what >= EVENT_SPOOL && what < EVENT_SPOOL_DWELL;
+        if (turned && fabs(r->x[r->rotor + 2] - runup_turn_end(r)) < 1e-9) what = EVENT_TURN;
+    }
     r->turns = what == EVENT_TURN ? runup_whole_turns(r) + 1.0 : r->turns + passed / two_pi;
     r->passed += passed;
     // Apply the event found, and all others whose conditions hold at its instant.
@@ -948,6 +1096,7 @@ static void runup_begin_settling(runner *r) {
     whirl_turning still = r->how;
     still.driven = still.lost = false;
     still.rate = 0.0;
+    for (size_t k = 0; k < r->spools; k++) still.spools[k] = (whirl_spool_turning){.law = WHIRL_SPOOL_RATE};
     runup_set_turning(r, &still);
     r->phase = PHASE_SETTLE;
 }
@@ -963,10 +1112,17 @@ static void runup_take_settling(runner *r, whirl_motion motion) {
     runup_offer(r);
 }
 
+/// Returns the speed at which shaft k with a speed of its own begins, rad/s.
+static double runup_spool_start(const runup_plan *plan, const whirl_running *running, size_t k) {
+    return plan->course ? plan->course->spools[k].from : running->by_time->spools[k].speed;
+}
+
 static void runup_end_settling(runner *r) {
     r->x[r->rotor] = r->plan->options->from / r->unit;
     r->x[r->rotor + 1] = 0.0;
     if (r->by_time) r->x[r->rotor + 2] = r->angle0;
+    for (size_t k = 0; k < r->spools; k++)
+        r->x[r->spool_state + 2 * k + 1] = runup_spool_start(r->plan, r->machine, k) / r->unit;
     runup_set_turning(r, &r->how);
     r->phase = PHASE_START;
 }
@@ -975,6 +1131,7 @@ static void runup_end_settling(runner *r) {
 static void runup_start(runner *r) {
     r->begun = true;
     if (r->plan->motion) run_motion_begin(r->plan->motion, r->system->probes, r->x, runup_angle_of(r, r->x));
+    runup_begin_spools(r);
     const bool ends = runup_happen_now(r) || r->status.code != WHIRL_OK;
     if (r->copy) runup_place_copy(r, 0.0);
     r->phase = ends ? PHASE_OVER : PHASE_TURN;
@@ -1100,6 +1257,10 @@ void runup_archive(runup_state *r, archive *a) {
     archive_part(a, &r->turns, sizeof r->turns);
     archive_count(a, &r->settled, (size_t)r->plan->options->settle);
     archive_part(a, &r->begun, sizeof r->begun);
+    archive_part(a, r->spool_stations, r->spools * r->probes * sizeof *r->spool_stations);
+    archive_part(a, r->spool_begin, r->spools * sizeof *r->spool_begin);
+    archive_part(a, r->spool_turns, r->spools * sizeof *r->spool_turns);
+    archive_part(a, r->spool_before, r->spools * sizeof *r->spool_before);
     // Archive the samples around the largest values so far.
     archive_part(a, r->peak_state, r->probes * r->most * sizeof *r->peak_state);
     archive_part(a, r->peak_from, r->probes * sizeof *r->peak_from);
@@ -1168,6 +1329,10 @@ void runup_finish(runner *r) {
     r->run->time = runup_time_of(r, r->x);
     r->run->speed = runup_speed_of(r, r->x);
     r->run->turns = r->turns;
+    for (size_t k = 0; k < r->spools; k++) {
+        r->run->spool_speed[k] = runup_spool_speed(r, r->x, k);
+        r->run->spool_turns[k] = runup_spool_angle(r, r->x, k) / two_pi - r->spool_before[k];
+    }
     memcpy(r->run->last, runup_placed(r, r->x), (r->rotor + 2) * sizeof *r->x);
     if (r->run->end == RUNUP_DONE || r->run->end == RUNUP_STALLED) {
         runup_locate_peaks(r);
@@ -1183,12 +1348,13 @@ static whirl_status runup_make_room(runner *r) {
                            r->contacts * (samples + 3) + 3 * r->probes + 3 * r->torques;
     r->x = calloc(numbers + 1, sizeof *r->x);
     r->stations = calloc(r->probes + 1, sizeof *r->stations);
+    r->spool_stations = calloc(r->spools * r->probes + 1, sizeof *r->spool_stations);
     r->peak_where = calloc(r->probes + 1, sizeof *r->peak_where);
     r->torque_where = calloc(2 * r->torques + 1, sizeof *r->torque_where);
     r->weights = calloc(samples + 1, sizeof *r->weights);
     r->weights_passed = (double)NAN;
     r->probe = calloc(r->probes + 1, sizeof *r->probe);
-    if (!r->probe || !r->weights || !r->x || !r->stations || !r->peak_where || !r->torque_where)
+    if (!r->spool_stations || !r->probe || !r->weights || !r->x || !r->stations || !r->peak_where || !r->torque_where)
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for a run");
     runup_find_probes(r, r->sides[0].machine->by_angle);
     // Divide the block into arrays.
@@ -1229,6 +1395,7 @@ void runup_close(runner *r) {
     }
     free(r->x);
     free(r->stations);
+    free(r->spool_stations);
     free(r->weights);
     free(r->probe);
     free(r->peak_where);
@@ -1269,6 +1436,8 @@ void runup_open(runner *r, whirl_running *running, const runup_plan *plan, runup
                  .probes = running->by_angle->probe_count,
                  .contacts = running->contact_count,
                  .torques = running->in_time ? running->watched_count : 0,
+                 .spools = running->spool_count,
+                 .spool_state = running->spool_state,
                  .leg = 0.05 * two_pi,
                  .unit = running->unit,
                  .angle0 = running->in_time || plan->motion ? plan->angle
@@ -1278,6 +1447,11 @@ void runup_open(runner *r, whirl_running *running, const runup_plan *plan, runup
                              .rate = o->to > 0.0 && o->to < o->from ? -o->rate : o->rate,
                              .dragless = !o->drag,
                              .course = plan->course};
+    for (size_t k = 0; k < r->spools && plan->course; k++) {
+        const whirl_spool_course *own = &plan->course->spools[k];
+        const double rate = own->to > 0.0 && own->to < own->from ? -own->rate : own->rate;
+        r->how.spools[k] = (whirl_spool_turning){.law = own->law, .rate = own->law == WHIRL_SPOOL_RATE ? rate : 0.0};
+    }
     // Begin with the machine's own error, the events that may happen, and no extremes.
     run->error = running->error;
     for (size_t i = 0; i < 4; i++) run->sensitivity[i] = i == 0 ? 0.0 : (double)NAN;
@@ -1295,12 +1469,15 @@ void runup_open(runner *r, whirl_running *running, const runup_plan *plan, runup
     if (!r->by_time) r->leg = two_pi;
     memcpy(r->x, plan->start, plan->start_count * sizeof *r->x);
     r->x[r->rotor] = o->from / r->unit;
+    for (size_t k = 0; k < r->spools; k++)
+        r->x[r->spool_state + 2 * k + 1] = runup_spool_start(plan, running, k) / r->unit;
     if (r->by_time)
         r->x[r->rotor + 2] = r->angle0;
     else
         running->to_angle(running, r->x);
     runup_follow_table(r);
     runup_set_turning(r, &r->how);
+    if (r->spools > 0) r->machine->follow(r->machine, r->x);
     // Continue from a saved state.
     if (plan->resume && !plan->resume(plan->context, r) && r->status.code == WHIRL_OK)
         r->status = whirl_fail(WHIRL_BAD_INPUT, "the saved state of a run does not fit");

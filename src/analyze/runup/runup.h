@@ -44,6 +44,16 @@ typedef struct runup_turn {
     const double *samples; ///< samples as in turn_samples; NULL if the run ends within the turn, or the plan has none
 } runup_turn;
 
+/// A turn of a shaft with a speed of its own.
+typedef struct runup_spool_turn {
+    size_t spool;                  ///< from 0
+    double time, speed;            ///< s and rad/s along its rotation, at its middle
+    double end;                    ///< s, at its end
+    double turns;                  ///< turns of this shaft since the beginning
+    const runup_station *stations; ///< [probe_count] means and orders of this shaft's angle; no radii
+    whirl_torques torques;         ///< at its end
+} runup_spool_turn;
+
 /// A contact over the run. Times in s; NaN if it never closed.
 typedef struct runup_contact {
     double first, last; ///< when it closed first, and opened last
@@ -81,15 +91,16 @@ size_t runup_events_of(const whirl_runup_options *options, const whirl_system *s
 /// The results of a run.
 typedef struct runup_run {
     runup_end end;
-    double time, speed, turns; ///< at its end: s, rad/s, turns of the shaft
-    double error;              ///< largest interpolation error of the numbers of its machines
-    double sensitivity[4];     ///< as in the field runup/sensitivity
-    size_t event_count;        ///< number of events that may happen
-    runup_happening *events;   ///< [event_count] those of the options, then those of the course
-    runup_peak *peaks;         ///< [probe_count] located
-    runup_contact *contacts;   ///< [contact_count] located
-    runup_torque *torques;     ///< [watched_count] located
-    double *last;              ///< [dimension by the angle] the last state
+    double time, speed, turns;                                           ///< at its end: s, rad/s, turns of the shaft
+    double spool_speed[WHIRL_MAX_SPOOLS], spool_turns[WHIRL_MAX_SPOOLS]; ///< then, of shafts with a speed of their own
+    double error;            ///< largest interpolation error of the numbers of its machines
+    double sensitivity[4];   ///< as in the field runup/sensitivity
+    size_t event_count;      ///< number of events that may happen
+    runup_happening *events; ///< [event_count] those of the options, then those of the course
+    runup_peak *peaks;       ///< [probe_count] located
+    runup_contact *contacts; ///< [contact_count] located
+    runup_torque *torques;   ///< [watched_count] located
+    double *last;            ///< [dimension by the angle] the last state
 } runup_run;
 
 /// Receives a turn.
@@ -122,7 +133,9 @@ typedef struct runup_plan {
     size_t start_count;
     double angle; ///< rad of the first state
     runup_see *see;
-    runup_watch_at *watch; ///< watcher of machines that are run by time; NULL: none
+    void (*see_spool)(void *context,
+                      const runup_spool_turn *turn); ///< receives turns of shafts with a speed of their own
+    runup_watch_at *watch;                           ///< watcher of machines that are run by time; NULL: none
     void *context;
     turn_samples *samples;    ///< filled in before a turn is shown; NULL: none are wanted
     whirl_run_motion *motion; ///< filled in as the run proceeds, with time as the variable; NULL: not wanted

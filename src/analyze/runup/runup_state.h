@@ -59,37 +59,42 @@ typedef struct runup_state {
     size_t probes, contacts, torques;
     double unit;
     whirl_turning how;
-    double leg;                          ///< length of the next part of a turn, in units of time, or rad
-    double *x;                           ///< [most] now
-    double *begin;                       ///< [most] at the beginning of the turn
-    double *samples;                     ///< [samples + 1][dimension] of the part
-    double *scratch;                     ///< [3][most]
-    double *placed;                      ///< [most] a state by the angle
-    double *change;                      ///< [2][most] slopes, and a state next to another one
-    double *slopes;                      ///< [samples + 1][most] of the samples, for the motion of a record; else NULL
-    double *force;                       ///< [samples + 1][contacts] normal forces of the part
-    double *torque;                      ///< [torques] at an instant
-    double *speed;                       ///< [probes] at an instant
-    double *largest, *share;             ///< [contacts] of the turn
-    runup_station *stations;             ///< [probes] of the turn
-    runup_probe *probe;                  ///< [probes]
-    runup_weights *weights;              ///< [samples + 1] of the samples of a part
-    double weights_passed, weights_step; ///< part whose weights these are: its angle within the turn (NaN: none), and
-                                         ///< the distance of its samples
-    double turns, angle0;                ///< turns completed, and the angle of the first state
-    double *peak_state;                  ///< [probes][most] the sample before the largest radius
-    double *peak_from, *peak_length;     ///< [probes] angle of this sample, and distance to the next sample
-    runup_where *peak_where;             ///< [probes] setting at this sample
-    double *torque_state;                ///< [torques][2][most] the samples before the largest and the least torque
-    double *torque_length;               ///< [torques][2] distances from these samples to the next ones
-    runup_where *torque_where;           ///< [torques][2] settings at these samples
-    bool parted;                         ///< an event happened in the turn
-    double *copy;                        ///< [most] a motion that began nearby; NULL: none, or it was lost
-    double size;                         ///< largest radius so far
-    double growth, least, least_at;      ///< logarithm of the growth of the copy's distance; the least so far, and its
-                                         ///< time, s
-    size_t settled;                      ///< turns of settling completed
-    bool begun;                          ///< settling is over
+    double leg;                           ///< length of the next part of a turn, in units of time, or rad
+    double *x;                            ///< [most] now
+    double *begin;                        ///< [most] at the beginning of the turn
+    double *samples;                      ///< [samples + 1][dimension] of the part
+    double *scratch;                      ///< [3][most]
+    double *placed;                       ///< [most] a state by the angle
+    double *change;                       ///< [2][most] slopes, and a state next to another one
+    double *slopes;                       ///< [samples + 1][most] of the samples, for the motion of a record; else NULL
+    double *force;                        ///< [samples + 1][contacts] normal forces of the part
+    double *torque;                       ///< [torques] at an instant
+    double *speed;                        ///< [probes] at an instant
+    double *largest, *share;              ///< [contacts] of the turn
+    runup_station *stations;              ///< [probes] of the turn
+    runup_probe *probe;                   ///< [probes]
+    runup_weights *weights;               ///< [samples + 1] of the samples of a part
+    double weights_passed, weights_step;  ///< part whose weights these are: its angle within the turn (NaN: none), and
+                                          ///< the distance of its samples
+    size_t spools, spool_state;           ///< shafts with a speed of their own, and place of the first one's angle
+    runup_station *spool_stations;        ///< [spools][probes] of the present turn of each
+    double spool_begin[WHIRL_MAX_SPOOLS]; ///< s, beginning of that turn; NaN: it is not whole
+    double spool_turns[WHIRL_MAX_SPOOLS]; ///< whole turns completed
+    double spool_before[WHIRL_MAX_SPOOLS]; ///< turns before the time of the run began
+    double turns, angle0;                  ///< turns completed, and the angle of the first state
+    double *peak_state;                    ///< [probes][most] the sample before the largest radius
+    double *peak_from, *peak_length;       ///< [probes] angle of this sample, and distance to the next sample
+    runup_where *peak_where;               ///< [probes] setting at this sample
+    double *torque_state;                  ///< [torques][2][most] the samples before the largest and the least torque
+    double *torque_length;                 ///< [torques][2] distances from these samples to the next ones
+    runup_where *torque_where;             ///< [torques][2] settings at these samples
+    bool parted;                           ///< an event happened in the turn
+    double *copy;                          ///< [most] a motion that began nearby; NULL: none, or it was lost
+    double size;                           ///< largest radius so far
+    double growth, least, least_at; ///< logarithm of the growth of the copy's distance; the least so far, and its
+                                    ///< time, s
+    size_t settled;                 ///< turns of settling completed
+    bool begun;                     ///< settling is over
     runup_phase phase;
     bool first;          ///< the turn is the first from standstill
     double passed;       ///< angle covered so far within the turn

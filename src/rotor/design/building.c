@@ -45,6 +45,10 @@ static whirl_status building_begin(building *b, const whirl_design *design) {
         return whirl_ok();
     }
     status = assembly_begin(&b->assembly, design->speed, design->length, design->station_count + b->mesh.hidden);
+    b->assembly.spools_vary = design->spools_vary;
+    b->assembly.spool_count = b->mesh.spool_count;
+    memcpy(b->assembly.spools, b->mesh.spools, sizeof b->mesh.spools);
+    for (size_t s = 0; s < design->shaft_count; s++) b->assembly.spool_of_shaft[s] = b->mesh.shafts[s].spool;
     b->elements = calloc(design->element_count + 1, sizeof *b->elements);
     b->numbers = calloc(numbers, sizeof *b->numbers);
     if (!b->elements || !b->numbers)
@@ -135,19 +139,20 @@ static whirl_status check_aside(const building *b) {
     if (!b->assembly.aside) return whirl_ok();
     return whirl_fail(WHIRL_BAD_INPUT,
                       "station '%s' is on a shaft of another speed, where its unbalance would turn with the rotor, "
-                      "expected the element unbalance with the ratio of that shaft",
+                      "expected the element unbalance, which turns with the shaft of its station",
                       b->assembly.aside);
 }
 
 /// Rejects terms proportional to the rotor's speed on a shaft of another speed.
-static whirl_status check_spin(const building *b, const design_element *own) {
+static whirl_status check_spin(const building *b, const design_element *own, const element *built) {
     const whirl_group *group = &own->type->group;
-    for (size_t k = 0; own->type->spun && k < group->key_count; k++) {
+    for (size_t k = 0; own->type->spun && !built->round && k < group->key_count; k++) {
         const whirl_key_kind kind = group->keys[k].kind;
         const size_t ends = kind == WHIRL_KEY_STATION ? 1 : kind == WHIRL_KEY_STATIONS ? 2 : 0;
         for (size_t i = 0; i < ends && own->values[k].given; i++) {
             const size_t station = own->values[k].station[i];
-            if (station == GROUND || b->assembly.stations[station].ratio == 1.0) continue;
+            if (station == GROUND || !assembly_is_aside(&b->assembly, station)) continue;
+            if (own->type->slides_by_shaft && b->assembly.stations[station].spool) continue;
             return whirl_fail(WHIRL_BAD_INPUT,
                               "acts at station '%s' on a shaft of another speed, and its force depends on the "
                               "rotor's speed",
@@ -162,7 +167,8 @@ static whirl_status check_spin(const building *b, const design_element *own) {
 static whirl_status add_springs(building *b, const key_value *at, const key_value *from, double stiffness) {
     element place = {.type = NULL};
     const whirl_status status = element_in_housing(at, from, &b->assembly, &place);
-    const bool between = from->given && b->assembly.stations[from->station[0]].shaft != NO_SHAFT;
+    const assembly_station *const other = from->given ? &b->assembly.stations[from->station[0]] : NULL;
+    const bool between = other && (other->shaft != NO_SHAFT || other->lumped);
     const bool held = b->design->bearings == WHIRL_BEARINGS_HELD && !between;
     for (size_t i = 0; i < 2 && status.code == WHIRL_OK; i++) {
         assembly_spring(&b->assembly, place.port[i], held ? NO_COORDINATE : place.port[2 + i], stiffness);
@@ -200,7 +206,7 @@ static whirl_status add_elements(building *b, const element_type *type) {
         for (size_t port = 0; port < MAX_PORTS; port++) own->port[port] = NO_COORDINATE, own->share[port] = 1.0;
         status = type->build(b->design->elements[i].values, &b->assembly, own);
         if (own->states == STATES_OF_TYPE) own->states = own->type->state_count;
-        if (status.code == WHIRL_OK) status = check_spin(b, &b->design->elements[i]);
+        if (status.code == WHIRL_OK) status = check_spin(b, &b->design->elements[i], own);
         status = with_element(b, i, status);
         // Lumped elements have added all their effects to the matrices.
         if (!type->kernels || own->lumped) continue;

@@ -44,6 +44,12 @@ void whirl_design_in_time(whirl_design *design) {
     design->in_time = true;
 }
 
+void whirl_design_spools(whirl_design *design, size_t count, const double *speeds, bool vary) {
+    design->spools_vary = vary;
+    design->spool_count = count;
+    memcpy(design->spool_speeds, speeds, count * sizeof *speeds);
+}
+
 void whirl_design_unbalances(whirl_design *design, size_t count, const whirl_placed *placed) {
     design->placed_count = count;
     design->placed = placed;

@@ -28,6 +28,10 @@ struct whirl_design {
     bool in_time;            ///< frequency-dependent coefficients become transfer functions with states
     bool asynchronous;       ///< frequency-dependent coefficients are those at `frequency`
     double frequency;        ///< rad/s, in place of the shaft's speed
+    bool spools_vary;        ///< shafts with a speed of their own change it while the machine runs
+    size_t spool_count;      ///< 0: shafts with a speed of their own have that of their key
+    double
+        spool_speeds[WHIRL_MAX_SPOOLS]; ///< [spool_count] rad/s along their rotation, in place of those of their keys
     size_t placed_count;
     const whirl_placed *placed; ///< [placed_count] unbalances that replace those of the design; borrowed
     size_t station_count, element_count, shaft_count, material_count;

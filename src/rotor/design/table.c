@@ -44,3 +44,11 @@ double table_value(size_t count, const double *x, const double *y, double at) {
     return y[i] * r * r * (1.0 + 2.0 * s) + y[i + 1] * s * s * (1.0 + 2.0 * r) +
            h * s * r * (r * table_slope(count, x, y, i) - s * table_slope(count, x, y, i + 1));
 }
+
+double table_rate(size_t count, const double *x, const double *y, double at) {
+    size_t i = 0;
+    while (i + 2 < count && at > x[i + 1]) i++;
+    const double s = (at - x[i]) / table_width(x, i), r = 1.0 - s;
+    return 6.0 * r * s * table_rise(x, y, i) + r * (r - 2.0 * s) * table_slope(count, x, y, i) +
+           s * (s - 2.0 * r) * table_slope(count, x, y, i + 1);
+}

@@ -13,4 +13,7 @@ bool table_rises(size_t count, const double *x);
 /// Fritsch, Butland 1984).
 double table_value(size_t count, const double *x, const double *y, double at);
 
+/// Returns the derivative of that cubic.
+double table_rate(size_t count, const double *x, const double *y, double at);
+
 #endif

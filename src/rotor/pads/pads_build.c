@@ -127,7 +127,7 @@ static whirl_status journal_ratio(const key_value *values, const assembly *to, d
     if (*ratio == 0.0) return whirl_fail(WHIRL_BAD_INPUT, "has a journal that does not turn, expected one that does");
     if (!values[PADS_FROM].given) return whirl_ok();
     const assembly_station *housing = &to->stations[values[PADS_FROM].station[0]];
-    if (housing->shaft == NO_SHAFT || housing->ratio == 0.0) return whirl_ok();
+    if ((housing->shaft == NO_SHAFT && !housing->lumped) || housing->ratio == 0.0) return whirl_ok();
     return whirl_fail(WHIRL_BAD_INPUT, "has its pads on a shaft that turns, expected a housing that does not; film has "
                                        "a housing_ratio");
 }
@@ -211,6 +211,7 @@ whirl_status pads_build(const key_value *values, bool tilting, assembly *to, ele
                               .reynolds = reynolds_of(values, 1.0),
                               .turbulence = values[PADS_TURBULENCE].choice,
                               .turns = {ratio, 0.0},
+                              .spool = {to->stations[values[PADS_AT].station[0]].spool, 0},
                               .housing = GROUND};
     // Sort pads around the journal, so that no result depends on the order in which they are given.
     if (values[PADS_PIVOTS].given) qsort(bearing.pads, bearing.count, sizeof *bearing.pads, by_pivot);

@@ -86,7 +86,7 @@ whirl_status between_stations(const mesh *from, const assembly *of, const reduct
         p->follow = p->inner + most * most;
     }
     for (size_t s = 0; s < from->shaft_count && status.code == WHIRL_OK; s++)
-        status = add_shaft(from, of, s, &made[s], p, *terms, count);
+        if (from->shafts[s].meshed) status = add_shaft(from, of, s, &made[s], p, *terms, count);
     free(block);
     free(p);
     return status;

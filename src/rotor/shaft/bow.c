@@ -48,9 +48,10 @@ static whirl_status bow_check(const held_shaft *of, const mesh *from, const whir
             WHIRL_BAD_INPUT,
             "shaft '%s' has a bow at %zu station%s, expected it at three at least, 0 m where it is straight", name,
             of->supports, of->supports == 1 ? "" : "s");
-    if (shaft->ratio == 1.0 && !flats && shaft->hysteretic == 0.0) return whirl_ok();
+    if (shaft->ratio == 1.0 && !shaft->spool && !flats && shaft->hysteretic == 0.0) return whirl_ok();
     return whirl_fail(WHIRL_BAD_INPUT, "shaft '%s' has a bow, expected one that turns with the rotor, without %s", name,
                       flats                 ? "flats"
+                      : shaft->spool        ? "a speed of its own"
                       : shaft->ratio != 1.0 ? "a ratio of its own"
                                             : "hysteretic damping");
 }
@@ -64,6 +65,7 @@ whirl_status bow_build(const mesh *from, const whirl_design *design, assembly *t
     size_t *support = calloc(from->node_count + 1, sizeof *support);
     if (!support) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the bow of a shaft");
     for (size_t shaft = 0; shaft < from->shaft_count && status.code == WHIRL_OK; shaft++) {
+        if (!from->shafts[shaft].meshed) continue;
         held_shaft of = held_find(from, shaft);
         of.support = support;
         for (size_t n = 0; n < of.nodes; n++)

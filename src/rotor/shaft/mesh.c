@@ -2,6 +2,7 @@
 #include "mesh.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -87,7 +88,7 @@ static whirl_status add_span(meshing *m, size_t index) {
     whirl_status status = shaft_of(m->design, &values[SEGMENT_SHAFT], &own->shaft);
     if (status.code == WHIRL_OK) status = check_bore(values);
     if (status.code == WHIRL_OK && values[SEGMENT_FLATS].given &&
-        m->design->shafts[own->shaft].values[SHAFT_RATIO].number != 1.0)
+        (m->out->shafts[own->shaft].spool || m->out->shafts[own->shaft].ratio != 1.0))
         status = whirl_fail(WHIRL_BAD_INPUT, "has flats on a shaft of another speed, expected a shaft of ratio 1");
     if (status.code == WHIRL_OK && values[SEGMENT_FLATS].given &&
         m->design->shafts[own->shaft].values[SHAFT_TWIST].choice == 1)
@@ -121,11 +122,53 @@ static whirl_status add_spans(meshing *m) {
     return whirl_ok();
 }
 
+/// Reads the keys of all shafts, and finds which of them have segments and which have a speed of their own.
+static whirl_status read_shafts(meshing *m) {
+    const whirl_design *design = m->design;
+    mesh *out = m->out;
+    for (size_t i = 0; i < design->element_count; i++) {
+        const key_value *shaft = &design->elements[i].values[SEGMENT_SHAFT];
+        if (design->elements[i].type == &segment_element)
+            out->shafts[shaft->given ? shaft->station[0] : 0].meshed = true;
+    }
+    for (size_t s = 0; s < design->shaft_count; s++) {
+        const key_value *speed = &design->shafts[s].values[SHAFT_SPEED];
+        const bool meshed = out->shafts[s].meshed;
+        const whirl_status status = shaft_settings_from(design->shafts[s].values, &out->shafts[s]);
+        if (status.code != WHIRL_OK)
+            return whirl_fail(status.code, "shaft '%s' %.200s", design->shafts[s].name, status.message);
+        out->shafts[s].meshed = meshed;
+        out->shafts[s].reduced = meshed && out->shafts[s].reduced;
+        if (!speed->given) continue;
+        if (out->spool_count == WHIRL_MAX_SPOOLS)
+            return whirl_fail(WHIRL_BAD_INPUT, "shaft '%s' is one more with a speed of its own, expected at most %d",
+                              design->shafts[s].name, WHIRL_MAX_SPOOLS);
+        whirl_spool *own = &out->spools[out->spool_count];
+        *own = (whirl_spool){.speed = fabs(speed->number), .sense = speed->number < 0.0 ? -1.0 : 1.0};
+        if (design->spool_count > 0) own->speed = design->spool_speeds[out->spool_count];
+        snprintf(own->name, sizeof own->name, "%s", design->shafts[s].name);
+        out->shafts[s].spool = ++out->spool_count;
+        out->shafts[s].ratio = own->sense * own->speed / assembly_pace_of(design->speed);
+    }
+    return whirl_ok();
+}
+
 static whirl_status add_positions(meshing *m) {
     for (size_t s = 0; s < m->design->station_count; s++) {
         const design_part *station = &m->design->stations[s];
         const key_value *position = &station->values[STATION_POSITION], *shaft = &station->values[STATION_SHAFT];
         m->position[s] = (double)NAN;
+        m->out->lumped[s] = NO_SHAFT;
+        // Stations of shafts without segments are lumped.
+        if (shaft->given && !m->out->shafts[shaft->station[0]].meshed) {
+            if (position->given)
+                return whirl_fail(WHIRL_BAD_INPUT,
+                                  "station '%s' has a position on shaft '%s', which has no segment, expected segments, "
+                                  "or no position",
+                                  station->name, m->design->shafts[shaft->station[0]].name);
+            m->out->lumped[s] = shaft->station[0];
+            continue;
+        }
         if (shaft->given && !position->given)
             return whirl_fail(WHIRL_BAD_INPUT, "station '%s' lies on a shaft without its key position", station->name);
         if (!position->given) continue;
@@ -308,13 +351,15 @@ static whirl_status check_stations(const meshing *m, size_t shaft, double from, 
 static whirl_status mesh_shaft(meshing *m, size_t shaft) {
     double from, to;
     mesh *out = m->out;
-    whirl_status status = shaft_settings_from(m->design->shafts[shaft].values, &out->shafts[shaft]);
-    if (status.code != WHIRL_OK)
-        return whirl_fail(status.code, "shaft '%s' %.200s", m->design->shafts[shaft].name, status.message);
+    bool lumped = false;
+    for (size_t s = 0; s < m->design->station_count; s++) lumped = lumped || out->lumped[s] == shaft;
     if (!ends_of(m, shaft, &from, &to))
-        return whirl_fail(WHIRL_BAD_INPUT, "shaft '%s' has no segment, expected one at least",
-                          m->design->shafts[shaft].name);
-    status = check_stations(m, shaft, from, to);
+        return lumped ? whirl_ok()
+                      : whirl_fail(WHIRL_BAD_INPUT,
+                                   "shaft '%s' has no segment and no station, expected a segment, or stations with "
+                                   "shaft: %s",
+                                   m->design->shafts[shaft].name, m->design->shafts[shaft].name);
+    whirl_status status = check_stations(m, shaft, from, to);
     if (status.code == WHIRL_OK) status = find_breaks(m, shaft, from, to);
     const size_t first = out->node_count;
     for (size_t i = 0; i < m->break_count && status.code == WHIRL_OK; i++)
@@ -336,7 +381,9 @@ static whirl_status mesh_prepare(meshing *m, const whirl_design *design, mesh *o
     m->spans = calloc(segments, sizeof *m->spans);
     m->position = calloc(design->station_count + 1, sizeof *m->position);
     m->shaft = calloc(design->station_count + 1, sizeof *m->shaft);
-    if (out->shafts && out->nodes && out->pieces && m->spans && m->position && m->shaft) return whirl_ok();
+    out->lumped = calloc(design->station_count + 1, sizeof *out->lumped);
+    if (out->lumped && out->shafts && out->nodes && out->pieces && m->spans && m->position && m->shaft)
+        return whirl_ok();
     return whirl_fail(WHIRL_NO_MEMORY, "no memory for the mesh of a shaft");
 }
 
@@ -345,6 +392,7 @@ whirl_status mesh_make(const whirl_design *design, mesh *out, size_t *culprit) {
     *out = (mesh){0};
     *culprit = WHIRL_NO_ELEMENT;
     whirl_status status = mesh_prepare(&m, design, out);
+    if (status.code == WHIRL_OK) status = read_shafts(&m);
     if (status.code == WHIRL_OK) status = add_positions(&m);
     if (status.code == WHIRL_OK) status = add_spans(&m);
     for (size_t s = 0; s < design->shaft_count && status.code == WHIRL_OK; s++) status = mesh_shaft(&m, s);
@@ -357,6 +405,7 @@ whirl_status mesh_make(const whirl_design *design, mesh *out, size_t *culprit) {
 
 void mesh_clear(mesh *of) {
     free(of->shafts);
+    free(of->lumped);
     free(of->nodes);
     free(of->pieces);
 }

@@ -25,6 +25,10 @@ typedef struct mesh {
     mesh_node *nodes; ///< shaft by shaft, in order along each shaft
     mesh_piece *pieces;
     size_t hidden; ///< number of nodes that are no stations of the design
+    /// [stations of the design] shaft without segments on which a station is; NO_SHAFT: none.
+    size_t *lumped;
+    size_t spool_count;
+    whirl_spool spools[WHIRL_MAX_SPOOLS]; ///< [spool_count] shafts whose speed is their own, without drives
 } mesh;
 
 /// Makes the mesh. Returns WHIRL_BAD_INPUT with a sentence; then *culprit is the design's element at fault, or

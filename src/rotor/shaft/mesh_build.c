@@ -11,9 +11,18 @@ void mesh_inertia(const mesh *from, assembly *to) {
         at->shaft = from->nodes[i].shaft;
         at->position = from->nodes[i].z;
         at->ratio = from->shafts[at->shaft].ratio;
+        at->spool = from->shafts[at->shaft].spool;
         at->hidden = !at->name;
         at->twists = at->twists || from->shafts[at->shaft].twists;
         at->axial = at->axial || from->shafts[at->shaft].axial;
+    }
+    // Stations of shafts without segments have only the speed of their shaft.
+    for (size_t s = 0; s < to->station_count - from->hidden; s++) {
+        const size_t shaft = from->lumped[s];
+        if (shaft == NO_SHAFT) continue;
+        to->stations[s].lumped = true;
+        to->stations[s].ratio = from->shafts[shaft].ratio;
+        to->stations[s].spool = from->shafts[shaft].spool;
     }
     // Add the inertia of pieces at both ends.
     for (size_t i = 0; i < from->piece_count; i++) {
@@ -62,13 +71,23 @@ static void add_across(const laying *l, body_source of, body_rate rate, double f
     add_block(l, kind, 1, 0, -factor, matrix);
 }
 
+/// Adds forces across the planes in proportion to the speed of a shaft whose speed is its own: factor times 1 rad/s.
+static void add_across_own(const laying *l, body_source of, body_rate rate, double factor, const matrix4 *matrix) {
+    const int value = assembly_spool_value(l->to, l->shaft->spool, &factor);
+    add_block(l, (body_kind){of, rate, value}, 0, 1, factor, matrix);
+    add_block(l, (body_kind){of, rate, value}, 1, 0, -factor, matrix);
+}
+
 /// Adds internal damping (Zorzi, Nelson 1977, eqs. 14 and 15): viscous F = -eta_V K (q' - i ratio Omega q), and
 /// hysteretic F = -((1 + eta_H) q - i eta_H q)/sqrt(1 + eta_H^2) K, q = x + i y.
 static void add_internal(const laying *l, const matrix4 *stiffness) {
     const shaft_settings *shaft = l->shaft;
     const double loss = shaft->hysteretic / sqrt(1.0 + shaft->hysteretic * shaft->hysteretic);
     add_both(l, BODY_VELOCITY, RATE_DAMPING, shaft->viscous, stiffness);
-    add_across(l, BODY_PLACE, RATE_FOLLOWING, shaft->viscous * shaft->ratio, stiffness);
+    if (shaft->spool)
+        add_across_own(l, BODY_PLACE, RATE_STATIC, shaft->viscous, stiffness);
+    else
+        add_across(l, BODY_PLACE, RATE_FOLLOWING, shaft->viscous * shaft->ratio, stiffness);
     add_across(l, BODY_PLACE, RATE_STATIC, shaft->ratio * l->to->turn < 0.0 ? -loss : loss, stiffness);
 }
 
@@ -126,7 +145,8 @@ static void add_mass(const laying *l, const piece_matrices *matrices) {
                 assembly_inertance(l->to, l->at[plane][i], l->at[plane][j], mass.at[i][j] - (i == j ? own[i] : 0.0));
     add_both(l, BODY_VELOCITY, RATE_DAMPING, l->shaft->alpha, &mass);
     // Gyroscopic moments: I_d phi'' - i I_p Omega phi' = M, phi = tilt_x + i tilt_y.
-    if (l->shaft->gyroscopic) add_across(l, BODY_VELOCITY, RATE_GYRO, l->shaft->ratio, &polar);
+    if (l->shaft->gyroscopic && l->shaft->spool) add_across_own(l, BODY_VELOCITY, RATE_DAMPING, 1.0, &polar);
+    if (l->shaft->gyroscopic && !l->shaft->spool) add_across(l, BODY_VELOCITY, RATE_GYRO, l->shaft->ratio, &polar);
 }
 
 /// Adds stiffness, damping and the coupling part of the inertia against twist or along the axis. The damping

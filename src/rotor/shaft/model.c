@@ -185,7 +185,8 @@ static void model_fill(const building *b, whirl_model *out) {
         out->shafts[node->shaft].mass += out->stations[node->station].mass;
         out->shafts[node->shaft].centre += out->stations[node->station].mass * node->z;
     }
-    for (size_t s = 0; s < out->shaft_count; s++) out->shafts[s].centre /= out->shafts[s].mass;
+    for (size_t s = 0; s < out->shaft_count; s++)
+        if (from->shafts[s].meshed) out->shafts[s].centre /= out->shafts[s].mass;
 }
 
 whirl_status whirl_design_model(const whirl_design *design, whirl_model *out) {
@@ -197,7 +198,7 @@ whirl_status whirl_design_model(const whirl_design *design, whirl_model *out) {
     whirl_status status = building_assemble(&b, design, NULL);
     if (status.code == WHIRL_OK) {
         out->station_count = design->station_count;
-        out->shaft_count = b.mesh.shaft_count;
+        out->shaft_count = b.mesh.node_count > 0 ? b.mesh.shaft_count : 0;
         out->sections = calloc(b.mesh.piece_count + 1, sizeof *out->sections);
         out->stations = calloc(out->station_count + 1, sizeof *out->stations);
         out->shafts = calloc(out->shaft_count + 1, sizeof *out->shafts);

@@ -162,7 +162,9 @@ whirl_status whirl_design_shafts(const whirl_design *design, whirl_shaft_summary
     whirl_status status =
         spring ? building_assemble(&b, design, NULL) : whirl_fail(WHIRL_NO_MEMORY, "no memory to look at shafts");
     if (status.code == WHIRL_OK) status = summarize(&b, out, full, now, place, spring);
-    if (status.code == WHIRL_OK) *count = b.mesh.shaft_count;
+    // Shafts without segments have no mesh to summarize.
+    for (size_t s = 0; s < b.mesh.shaft_count && status.code == WHIRL_OK; s++)
+        if (b.mesh.shafts[s].meshed) out[(*count)++] = out[s];
     for (size_t s = 0; s < WHIRL_MAX_SHAFTS; s++) {
         plane_clear(&full[s]);
         plane_clear(&now[s]);

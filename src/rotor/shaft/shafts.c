@@ -33,6 +33,9 @@ static const whirl_key shaft_keys[SHAFT_KEYS] = {
         CHOICE_KEY("gyroscopic", DEFAULT("yes"), "yes|no", "yes: the shaft's own inertia causes gyroscopic moments"),
     [SHAFT_RATIO] = NUMBER_KEY("ratio", "rho", "1", DEFAULT("1"), WHIRL_ANY,
                                "speed of the shaft over the rotor's; below 0 against the rotation"),
+    [SHAFT_SPEED] = NUMBER_KEY("speed", "", "rad/s", OPTIONAL, WHIRL_ANY,
+                               "speed of the shaft if it does not depend on the rotor's, in place of ratio; below 0 "
+                               "against the rotation; run-ups let it change by a law or a drive of its own"),
     [SHAFT_TWIST] = CITED_CHOICE_KEY("twist", DEFAULT("no"), "no|yes",
                                      "yes: the shaft twists, with all of its stations and nodes (torsion); no: it is "
                                      "rigid against torsion",
@@ -106,6 +109,8 @@ whirl_status shaft_settings_from(const key_value *values, shaft_settings *out) {
                             .reduced = values[SHAFT_REDUCE].choice == 0,
                             .modes = (size_t)values[SHAFT_MODES].number,
                             .modes_to = values[SHAFT_MODES_TO].given ? values[SHAFT_MODES_TO].number : 0.0};
+    if (values[SHAFT_RATIO].given && values[SHAFT_SPEED].given)
+        return whirl_fail(WHIRL_BAD_INPUT, "has both ratio and speed, expected one of them");
     if (values[SHAFT_MODES].given && values[SHAFT_MODES_TO].given)
         return whirl_fail(WHIRL_BAD_INPUT, "has both modes and modes_to, expected one of them");
     return whirl_ok();

@@ -80,6 +80,7 @@ enum {
     SHAFT_ROTARY,
     SHAFT_GYROSCOPIC,
     SHAFT_RATIO,
+    SHAFT_SPEED,
     SHAFT_TWIST,
     SHAFT_AXIAL,
     SHAFT_MASS_DAMPING,
@@ -125,9 +126,11 @@ extern const whirl_group material_group, shaft_group;
 typedef struct shaft_settings {
     bool lumped, rotary, gyroscopic;
     shear_law shear;
-    double ratio;               ///< ratio of its speed to the rotor's
-    bool twists, axial;         ///< its nodes twist; they move along the shaft
-    double alpha, beta;         ///< proportional damping, 1/s and s
+    double ratio;       ///< ratio of its speed to the rotor's
+    size_t spool;       ///< number of its speed among those of their own, from 1; 0: the speed follows the rotor's
+    bool meshed;        ///< it has segments; otherwise its stations are lumped
+    bool twists, axial; ///< its nodes twist; they move along the shaft
+    double alpha, beta; ///< proportional damping, 1/s and s
     double viscous, hysteretic; ///< internal damping, s and 1
     double mesh_to;             ///< highest frequency that the mesh resolves, Hz; 0: not given
     bool reduced;

@@ -366,10 +366,11 @@ static whirl_status statics_fill(const building *b, const char *couplings, size_
                                  whirl_station_statics *out, double *influence) {
     const whirl_weight weight = whirl_design_weight(b->design);
     whirl_status status = whirl_ok();
-    if (b->mesh.shaft_count == 0)
+    if (b->mesh.node_count == 0)
         return whirl_fail(WHIRL_BAD_INPUT,
                           "there is no shaft of finite elements, expected segments for the analysis of weight");
     for (size_t shaft = 0; shaft < b->mesh.shaft_count && status.code == WHIRL_OK; shaft++) {
+        if (!b->mesh.shafts[shaft].meshed) continue;
         const held_shaft own = held_find(&b->mesh, shaft);
         beam of = {.b = b, .shaft = shaft, .first = own.first, .nodes = own.nodes, .support = support};
         of.gravity = weight.across;

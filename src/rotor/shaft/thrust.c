@@ -118,7 +118,7 @@ whirl_status thrust_build(building *b, size_t *culprit) {
         if (status.code != WHIRL_OK) return status;
     }
     for (size_t s = 0; s < b->mesh.shaft_count && last != WHIRL_NO_ELEMENT; s++)
-        if (!b->thrust[s].held)
+        if (b->mesh.shafts[s].meshed && !b->thrust[s].held)
             return whirl_fail(WHIRL_BAD_INPUT,
                               "does not say which station holds shaft '%s' along its axis, expected held_at: a station "
                               "of it%s",

@@ -21,18 +21,34 @@ static whirl_status resting_at_frequency(const void *context, double frequency, 
     return resting_at_speed(&at, 0.0, variant, variant_value, machine);
 }
 
-static whirl_status resting_as_given(const void *context, double speed, whirl_machine *machine) {
-    return resting_at_speed(context, speed, WHIRL_AS_GIVEN, 0.0, machine);
+static whirl_status resting_with_spools(const void *context, double speed, const double *spools, bool vary,
+                                        whirl_machine *machine) {
+    resting_place at = *(const resting_place *)context;
+    whirl_batch batch = *at.batch;
+    batch.spool_count = spools ? WHIRL_MAX_SPOOLS : 0;
+    for (size_t k = 0; k < batch.spool_count; k++) batch.spool_speeds[k] = spools[k];
+    batch.spools_vary = vary;
+    at.batch = &batch;
+    return resting_at_speed(&at, speed, WHIRL_AS_GIVEN, 0.0, machine);
 }
 
-static whirl_status resting_make_running(const void *context, double lowest, double highest, bool driven, size_t count,
-                                         const unsigned char *happened, whirl_running **running) {
+static whirl_status resting_at_speeds(const void *context, double speed, const double *spools, whirl_machine *machine) {
+    return resting_with_spools(context, speed, spools, false, machine);
+}
+
+static whirl_status resting_as_given(const void *context, double speed, const double *spools, whirl_machine *machine) {
+    return resting_with_spools(context, speed, spools, true, machine);
+}
+
+static whirl_status resting_make_running(const void *context, double lowest, double highest, bool driven,
+                                         const whirl_spool_range *spools, size_t count, const unsigned char *happened,
+                                         whirl_running **running) {
     resting_place at = *(const resting_place *)context;
     whirl_batch batch = *at.batch;
     batch.happened_count = count;
     for (size_t i = 0; i < count; i++) batch.happened[i] = happened[i];
     at.batch = &batch;
-    return whirl_running_new(resting_as_given, &at, lowest, highest, driven, running);
+    return whirl_running_new(resting_as_given, &at, lowest, highest, driven, spools, running);
 }
 
 whirl_resting resting_point_of(const resting_place *at, const whirl_machine *machine) {
@@ -41,6 +57,7 @@ whirl_resting resting_point_of(const resting_place *at, const whirl_machine *mac
                            .clock = machine->clock,
                            .speed = machine->speed,
                            .at_speed = resting_at_speed,
+                           .at_speeds = resting_at_speeds,
                            .at_frequency = resting_at_frequency,
                            .running = resting_make_running,
                            .context = at,

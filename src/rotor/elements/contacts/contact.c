@@ -215,12 +215,23 @@ static int law_of(const key_value *values) {
            (values[RADIUS].given ? CONTACT_SLIPS | (bristles ? CONTACT_BRISTLES : 0) | (sharp ? CONTACT_SHARP : 0) : 0);
 }
 
+/// Returns how fast the surface at the station turns relative to the stator, by tau. A stator on a shaft with a speed
+/// of its own turns, and so does one that such a shaft touches.
+static double contact_turn(const key_value *values, const assembly *to) {
+    const size_t at = values[AT].station[0];
+    if (!values[FROM].given) return to->turn * to->stations[at].ratio;
+    const size_t from = values[FROM].station[0];
+    if (to->stations[at].spool + to->stations[from].spool == 0) return to->turn;
+    return to->turn * (to->stations[at].ratio - assembly_housing_ratio(to, from));
+}
+
 static whirl_status contact_build(const key_value *values, assembly *to, element *out) {
     const double length = to->length, fast = to->clock * length, n = values[POWER].number;
     const double kinetic = values[FRICTION].number, half = 0.5 * values[ARC_WIDTH].number;
     whirl_status status = contact_check_keys(values);
     if (status.code == WHIRL_OK) status = element_in_housing(&values[AT], &values[FROM], to, out);
     if (status.code != WHIRL_OK) return status;
+    out->fluid.housing = values[FROM].given ? values[FROM].station[0] : GROUND;
     // Choose the law and its state, and convert the numbers to the rotor's units.
     double *number = out->number;
     out->law = law_of(values);
@@ -229,7 +240,7 @@ static whirl_status contact_build(const key_value *values, assembly *to, element
     number[CONTACT_STIFFNESS] = values[STIFFNESS].number * pow(length, n);
     number[CONTACT_POWER] = n - 1.0;
     number[CONTACT_LOSS] = loss_of(values) * fast;
-    number[CONTACT_SURFACE] = values[RADIUS].given ? values[RADIUS].number / length * to->turn : 0.0;
+    number[CONTACT_SURFACE] = values[RADIUS].given ? values[RADIUS].number / length * contact_turn(values, to) : 0.0;
     number[CONTACT_KINETIC] = kinetic;
     number[CONTACT_EXCESS] = values[STATIC_FRICTION].given ? values[STATIC_FRICTION].number - kinetic : 0.0;
     number[CONTACT_STRIBECK] = values[STRIBECK_SPEED].given ? fast / values[STRIBECK_SPEED].number : 0.0;
@@ -338,6 +349,7 @@ const element_type contact_element = {
     .group = {"contact", "a stator that a station touches, by laws of impact and friction, all around or over an arc",
               "Hunt, Crossley 1975; Canudas de Wit et al. 1995", keys, KEY_COUNT, NULL, NULL},
     .spun = true,
+    .slides_by_shaft = true,
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .state_count = KERNEL_STATES,
     .kernels = kernels,

@@ -70,18 +70,20 @@ static whirl_status rub_build(const key_value *values, assembly *to, element *ou
         return whirl_fail(WHIRL_BAD_INPUT,
                           "has a slip_speed, which only law slip uses, expected law: slip, or no slip_speed");
     out->station = values[AT].station[0];
+    out->fluid.housing = GROUND;
     const whirl_status status = assembly_find_plane(to, out->station, out->port);
     if (status.code != WHIRL_OK) return status;
     // A given damping of 0 counts as damping, so that a sweep may begin there; but not if the stator has no force at
     // all.
     const bool damped = values[DAMPING].given && (values[DAMPING].number > 0.0 || values[STIFFNESS].number > 0.0);
     const bool sharp = slip && !(values[SLIP_SPEED].number > 0.0);
+    const double turn = to->turn * to->stations[out->station].ratio; // of the surface
     out->law = values[LAW].choice | (damped ? RUB_DAMPED : 0) | (sharp ? RUB_SHARP : 0);
     out->number[RUB_GAP] = values[GAP].number / to->length;
     out->number[RUB_STIFFNESS] = values[STIFFNESS].number / assembly_stiffness_scale(to, out->station);
     out->number[RUB_DAMPING] = values[DAMPING].number / (assembly_inertia(to, out->station) * to->clock);
-    out->number[RUB_FRICTION] = slip ? values[FRICTION].number : copysign(values[FRICTION].number, to->turn);
-    out->number[RUB_SURFACE] = values[RADIUS].number / to->length * to->turn;
+    out->number[RUB_FRICTION] = slip ? values[FRICTION].number : copysign(values[FRICTION].number, turn);
+    out->number[RUB_SURFACE] = values[RADIUS].number / to->length * turn;
     out->number[RUB_SLIP_SPEED] = values[SLIP_SPEED].number / (to->clock * to->length);
     out->number[RUB_GAP_SQUARE] = out->number[RUB_GAP] * out->number[RUB_GAP];
     out->number[RUB_LEVER] = copysign(values[RADIUS].number / to->length, to->turn);
@@ -131,6 +133,7 @@ const element_type rub_element = {
     .group = {"rub", "an elastic stator ring with Coulomb friction around a station",
               "rub-impact paper 2015, eq. (3); Black 1968", keys, KEY_COUNT, NULL, NULL},
     .spun = true,
+    .slides_by_shaft = true,
     .number_count = RUB_NUMBERS,
     .kernels = kernels,
     .build = rub_build,

@@ -89,9 +89,8 @@ typedef struct turning {
 static whirl_status find_turning(const key_value *values, const assembly *to, turning *out) {
     const double own =
         values[JOURNAL_RATIO].given ? values[JOURNAL_RATIO].number : to->stations[values[AT].station[0]].ratio;
-    const bool turns = values[FROM].given && to->stations[values[FROM].station[0]].shaft != NO_SHAFT;
     const double other = values[HOUSING_RATIO].given ? values[HOUSING_RATIO].number
-                         : turns                     ? to->stations[values[FROM].station[0]].ratio
+                         : values[FROM].given        ? assembly_housing_ratio(to, values[FROM].station[0])
                                                      : 0.0;
     *out = (turning){own + other, own - other};
     if (out->wedge == 0.0)
@@ -140,13 +139,16 @@ static whirl_status load_scale(const key_value *values, const assembly *to, doub
 }
 
 /// Sets the constants of its drag. With a scale F0 in place of the oil, the shear is unknown and only the couple acts.
-static void set_drag(const key_value *values, const turning *turns, element *out) {
+static void set_drag(const key_value *values, const assembly *to, const turning *turns, element *out) {
     const oil own = oil_of(values);
     const double radius = values[RADIUS].number, clearance = values[CLEARANCE].number;
     double viscosity = 0.0;
     out->fluid = (fluid_drag){.turbulence = values[TURBULENCE].choice,
                               .turns = {0.5 * (turns->wedge + turns->shear), 0.5 * (turns->wedge - turns->shear)},
                               .housing = values[FROM].given ? values[FROM].station[0] : GROUND};
+    if (!values[JOURNAL_RATIO].given) out->fluid.spool[0] = to->stations[values[AT].station[0]].spool;
+    if (!values[HOUSING_RATIO].given && values[FROM].given)
+        out->fluid.spool[1] = to->stations[values[FROM].station[0]].spool;
     if (values[LOAD].given || oil_viscosity(&own, &viscosity).code != WHIRL_OK) return;
     out->fluid.shear = values[COUNT].number * 6.28318530717958647692 * viscosity * radius * radius * radius *
                        values[LENGTH].number / clearance;
@@ -185,7 +187,7 @@ static whirl_status film_build(const key_value *values, assembly *to, element *o
     const double clearance = values[CLEARANCE].number / to->length, square = clearance * clearance;
     const turbulent_factors by = factors_of(values, fabs(to->speed * turns.shear));
     const double speed = turns.wedge, strength = fabs(speed) * values[COUNT].number * load * by.along;
-    set_drag(values, &turns, out);
+    set_drag(values, to, &turns, out);
     out->number[FILM_CLEARANCE] = clearance;
     out->number[FILM_CLEARANCE_SQUARE] = square;
     out->number[FILM_STRENGTH] = FILM_STRENGTH_OF_1 * square * strength / assembly_force_scale(to, out->port[0]);

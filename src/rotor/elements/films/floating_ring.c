@@ -127,7 +127,10 @@ static whirl_status floating_ring_build(const key_value *values, assembly *to, e
     out->number[RING_TURN] = own * to->turn;
     out->number[RING_STATE_UNIT] = inner.clearance / to->length;
     out->number[RING_SPEED] = own * to->turn * driven / (driven + out->number[RING_OUTER_DRAG]);
-    out->fluid = (fluid_drag){.shear = drag_of(&inner), .turns = {own, 0.0}, .housing = GROUND};
+    out->fluid = (fluid_drag){.shear = drag_of(&inner),
+                              .turns = {own, 0.0},
+                              .housing = GROUND,
+                              .spool = {to->stations[values[AT].station[0]].spool, 0}};
     generic_scale(out, to, 1.0);
     return whirl_ok();
 }

@@ -6,9 +6,11 @@
 
 #include "table.h"
 
-enum { INERTIA, AT, TORQUE, NO_LOAD, SPEEDS, TORQUES, LOAD_AT, LOAD, LINEAR, QUADRATIC, KEY_COUNT };
+enum { SHAFT, INERTIA, AT, TORQUE, NO_LOAD, SPEEDS, TORQUES, LOAD_AT, LOAD, LINEAR, QUADRATIC, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
+    [SHAFT] = NAME_KEY("shaft", OPTIONAL, "shafts",
+                       "shaft with a speed of its own that it turns; absent: the rotor's own shaft"),
     [INERTIA] = NUMBER_KEY("inertia", "J", "kg m2", OPTIONAL, WHIRL_POSITIVE,
                            "polar moment of inertia of all that turns, about axes through its centres of mass; "
                            "required unless stations twist, whose own inertia counts"),
@@ -35,9 +37,16 @@ static const whirl_key keys[KEY_COUNT] = {
 static whirl_status drive_build(const key_value *values, assembly *to, element *out) {
     const key_value *speeds = &values[SPEEDS], *torques = &values[TORQUES];
     // Check that there is one drive, whose torque is a line or a table.
-    shaft_drive *drive = &to->drive;
+    const size_t spool = values[SHAFT].given ? to->spool_of_shaft[values[SHAFT].station[0]] : 0;
+    shaft_drive *drive = spool > 0 ? &to->spool_drives[spool - 1] : &to->drive;
     (void)out;
-    if (drive->given) return whirl_fail(WHIRL_BAD_INPUT, "is a second drive, expected one");
+    if (values[SHAFT].given && spool == 0)
+        return whirl_fail(WHIRL_BAD_INPUT, "turns a shaft whose speed follows the rotor's, expected a shaft with the "
+                                           "key speed, or no shaft");
+    if (drive->given) return whirl_fail(WHIRL_BAD_INPUT, "is a second drive of its shaft, expected one");
+    if (spool > 0 && (values[AT].given || values[LOAD_AT].given))
+        return whirl_fail(WHIRL_BAD_INPUT, "has %s and turns a shaft of its own as a whole, expected one of them",
+                          values[AT].given ? "at" : "load_at");
     if (speeds->given != torques->given)
         return whirl_fail(WHIRL_BAD_INPUT, "has %s alone, expected speeds and torques together",
                           speeds->given ? "speeds" : "torques");
@@ -54,6 +63,13 @@ static whirl_status drive_build(const key_value *values, assembly *to, element *
         return whirl_fail(WHIRL_BAD_INPUT, "has no_load_speed without torque, expected both");
     // Check the stations of the motor and of its load.
     const size_t at = values[AT].given ? values[AT].station[0] : NO_STATION;
+    for (int key = AT; key <= LOAD_AT; key += LOAD_AT - AT) {
+        const size_t station = values[key].given ? values[key].station[0] : NO_STATION;
+        if (station == NO_STATION || to->stations[station].spool == 0) continue;
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "acts on '%s', whose shaft has a speed of its own, expected shaft: %s in place of %s",
+                          to->stations[station].name, to->spools[to->stations[station].spool - 1].name, keys[key].name);
+    }
     whirl_status status = assembly_turns(to, at);
     if (status.code == WHIRL_OK && values[LOAD_AT].given) status = assembly_turns(to, values[LOAD_AT].station[0]);
     if (status.code != WHIRL_OK) return status;

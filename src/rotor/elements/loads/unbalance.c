@@ -13,8 +13,9 @@ enum { UNBALANCE_ALONE, UNBALANCE_GEARED };
 
 static const whirl_key keys[KEY_COUNT] = {
     UNBALANCE_KEYS,
-    [RATIO] = NUMBER_KEY("ratio", "rho", "1", DEFAULT("1"), WHIRL_FROM_TO(-HARMONIC_FASTEST, HARMONIC_FASTEST),
-                         "speed of the unbalance's shaft over the speed of the rotor; below 0 against the rotation"),
+    [RATIO] = NUMBER_KEY("ratio", "rho", "1", OPTIONAL, WHIRL_FROM_TO(-HARMONIC_FASTEST, HARMONIC_FASTEST),
+                         "speed of the unbalance's shaft over the speed of the rotor; below 0 against the rotation; "
+                         "absent: that of its station's shaft"),
     [SPEED] = NUMBER_KEY("speed", "", "rad/s", OPTIONAL, WHIRL_ANY,
                          "speed of the unbalance's shaft if it does not depend on the rotor's, in place of ratio; "
                          "below 0 against the rotation"),
@@ -23,11 +24,16 @@ static const whirl_key keys[KEY_COUNT] = {
 
 static whirl_status unbalance_build(const key_value *values, assembly *to, element *out) {
     const double moment = values[MOMENT].number, angle = values[ANGLE].number;
-    const double ratio = values[SPEED].given ? values[SPEED].number / to->pace : values[RATIO].number;
+    // Without a ratio or a speed it turns with the shaft of its station.
+    const size_t station = values[AT].station[0];
+    const bool follows = !values[RATIO].given && !values[SPEED].given;
+    const double ratio = values[SPEED].given ? values[SPEED].number / to->pace
+                         : follows           ? to->stations[station].ratio
+                                             : values[RATIO].number;
     const double speed = ratio * to->pace;
-    out->lumped = !values[RATIO].given && !values[SPEED].given;
+    out->lumped = follows && !assembly_is_aside(to, station);
     if (out->lumped) {
-        assembly_unbalance(to, values[AT].station[0], moment, angle);
+        assembly_unbalance(to, station, moment, angle);
         return whirl_ok();
     }
     if (values[RATIO].given && values[SPEED].given)
@@ -37,7 +43,8 @@ static whirl_status unbalance_build(const key_value *values, assembly *to, eleme
     if (values[KEYPHASOR].choice && ratio == 0.0)
         return whirl_fail(WHIRL_BAD_INPUT,
                           "does not turn, expected a speed above 0 of the phase that defines sections");
-    out->law = values[RATIO].given ? UNBALANCE_GEARED : UNBALANCE_ALONE;
+    out->law = values[SPEED].given ? UNBALANCE_ALONE : UNBALANCE_GEARED;
+    out->spool = follows ? to->stations[station].spool : 0;
     element_on(&values[AT], to, AXIS_X, out);
     harmonic_force(out, to, moment * speed * speed, 1.0, angle, 0.0, ratio * to->turn);
     return whirl_ok();
@@ -61,7 +68,8 @@ static bool unbalance_named_order(const element *own, size_t index, double *orde
 
 static double unbalance_keyphasor(const key_value *values, double speed) {
     if (!values[KEYPHASOR].choice) return 0.0;
-    return fabs(values[SPEED].given ? values[SPEED].number : values[RATIO].number * speed);
+    const double ratio = values[RATIO].given ? values[RATIO].number : 1.0;
+    return fabs(values[SPEED].given ? values[SPEED].number : ratio * speed);
 }
 
 const element_type unbalance_element = {

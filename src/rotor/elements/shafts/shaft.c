@@ -94,6 +94,7 @@ static whirl_status shaft_build(const key_value *values, assembly *to, element *
     const double scale_a = assembly_stiffness_scale(to, station[0]);
     const double scale_b = station[1] == GROUND ? INFINITY : assembly_stiffness_scale(to, station[1]);
     out->law = values[SIGNS].choice;
+    out->round = half == 0.0;
     out->number[SHAFT_MEAN_A] = mean / scale_a;
     out->number[SHAFT_HALF_A] = half / scale_a;
     out->number[SHAFT_MEAN_B] = mean / scale_b;

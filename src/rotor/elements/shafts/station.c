@@ -90,7 +90,7 @@ void station_build(const key_value *values, assembly *to, size_t station) {
     if (at->coordinate[AXIS_TILT_X] == NO_COORDINATE) return;
     assembly_gyroscopic(to, station, at->polar);
     if (to->balanced) return;
-    if (values[SKEW].number > 0.0 && at->ratio != 1.0) to->aside = at->name;
+    if (values[SKEW].number > 0.0 && assembly_is_aside(to, station)) to->aside = at->name;
     if (values[SKEW].given) {
         const size_t x = at->coordinate[AXIS_TILT_X], y = at->coordinate[AXIS_TILT_Y];
         assembly_turning(to, x, y, moment, values[SKEW_ANGLE].number);

@@ -257,7 +257,7 @@ static whirl_status check_tables(const key_value *values, assembly *to) {
 static whirl_status check_ends(const key_value *values, const assembly *to) {
     for (int end = AT; end <= FROM && values[SPEEDS].given; end++) {
         const size_t station = values[end].given ? values[end].station[0] : GROUND;
-        if (station == GROUND || to->stations[station].ratio == 1.0) continue;
+        if (station == GROUND || !assembly_is_aside(to, station)) continue;
         return whirl_fail(WHIRL_BAD_INPUT,
                           "has speeds, which are the rotor's, and acts at station '%s' on a shaft of another speed, "
                           "expected coefficients without speeds",

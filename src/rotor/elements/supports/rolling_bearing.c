@@ -110,9 +110,8 @@ static const whirl_key roller_keys[CONTACT_ANGLE] = {
 
 /// Computes the ratios of both races' speeds to the rotor's. A housing that is no station of a shaft is fixed.
 static void find_races(const key_value *values, const assembly *to, double races[2]) {
-    const assembly_station *housing = values[FROM].given ? &to->stations[values[FROM].station[0]] : NULL;
     races[0] = to->stations[values[AT].station[0]].ratio;
-    races[1] = housing && housing->shaft != NO_SHAFT ? housing->ratio : 0.0;
+    races[1] = values[FROM].given ? assembly_housing_ratio(to, values[FROM].station[0]) : 0.0;
 }
 
 /// Computes the ratio of the cage's speed for balls that roll: the mean of both races' velocities divided by the mean
