@@ -308,8 +308,9 @@ static whirl_status running_find_numbers(running_rotor *r, whirl_machine_at *mak
         }
         r->varying[r->varying_count++] = own;
     }
+    // Numbers that other shafts give need no representation over the rotor's speed alone.
+    if (status.code == WHIRL_OK && r->spool_count > 0) status = running_find_spooled(r, make, context, w, y, &splines);
     if (status.code == WHIRL_OK && splines > 0) status = running_add_splines(r, make, context, splines);
-    if (status.code == WHIRL_OK && r->spool_count > 0) status = running_find_spooled(r, make, context, w, y);
     free(y);
     return status;
 }

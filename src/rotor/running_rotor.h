@@ -187,9 +187,10 @@ whirl_status running_sample(const running_rotor *r, whirl_machine_at *make, cons
                             const double *w, const double *spools, double *out);
 
 /// Finds how numbers depend on the speeds of shafts with a speed of their own (running_spools.c). y
-/// [POWER_SPEEDS][number_count]: numbers at the speeds w of the rotor and the highest speeds of these shafts.
+/// [POWER_SPEEDS][number_count]: numbers at the speeds w of the rotor and the base of these shafts. Removes numbers from
+/// r->varying that are no sums, and counts their splines off *splines.
 whirl_status running_find_spooled(running_rotor *r, whirl_machine_at *make, const void *context, const double *w,
-                                  const double *y);
+                                  const double *y, size_t *splines);
 
 /// Evaluates these numbers at a speed of the rotor, in the workspace; spools [spool_count]: their speeds over the unit.
 void running_put_spooled(const running_rotor *r, double w, const double *spools);

@@ -243,8 +243,25 @@ static whirl_status spool_add_splines(running_rotor *r, whirl_machine_at *make, 
     return status;
 }
 
+/// Leaves out of r->varying what is no sum with a function of the rotor's speed, and connects the sums with the rest.
+static void spool_connect(running_rotor *r, size_t *splines) {
+    size_t kept = 0;
+    for (size_t i = 0, v = 0; i < r->varying_count; i++) {
+        while (v < r->spooled_count && r->spooled[v].index < r->varying[i].index) v++;
+        const bool known = v < r->spooled_count && r->spooled[v].index == r->varying[i].index;
+        if (known && r->spooled[v].form != SPOOL_SUM) {
+            *splines -= r->varying[i].value != NULL;
+            continue;
+        }
+        r->varying[kept] = r->varying[i];
+        if (known) r->spooled[v].own = &r->varying[kept];
+        kept++;
+    }
+    r->varying_count = kept;
+}
+
 whirl_status running_find_spooled(running_rotor *r, whirl_machine_at *make, const void *context, const double *w,
-                                  const double *y) {
+                                  const double *y, size_t *rotor_splines) {
     const size_t numbers = r->rotor->lanes.number_count, all = (size_t)(SPOOL_SPEEDS + CROSSINGS) * numbers;
     spool_fit f = {.r = r, .numbers = numbers, .w = w, .y = y};
     size_t splines = 0;
@@ -259,12 +276,11 @@ whirl_status running_find_spooled(running_rotor *r, whirl_machine_at *make, cons
         spool_number own;
         status = spool_find(&f, n, &own);
         if (status.code != WHIRL_OK || own.of[1] == 0) continue;
-        for (size_t v = 0; v < r->varying_count; v++)
-            if (r->varying[v].index == n) own.own = &r->varying[v];
         splines += own.by.value != NULL;
         r->spooled[r->spooled_count++] = own;
     }
     free(memory);
+    spool_connect(r, rotor_splines);
     if (status.code != WHIRL_OK || splines == 0) return status;
     // Fit splines to those that are no sums of powers.
     double *next = r->spool_splines = malloc(SPLINE_NUMBERS * splines * sizeof *next);

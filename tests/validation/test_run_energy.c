@@ -34,6 +34,7 @@ static const double pi = 3.14159265358979323846, gravity = 9.81;
 typedef struct seen {
     double x[STATIONS], y[STATIONS], vx[STATIONS], vy[STATIONS];
     double speed, angle;
+    double other_speed, other_angle; ///< of the first shaft with a speed of its own, about z
     double torque[TORQUES], turning[STATIONS];
     bool after; ///< the blade is lost and the motor has tripped
 } seen;
@@ -71,6 +72,11 @@ static account ledger_account(const ledger *own, const double *x) {
         at.vy[p] = own->length * running->unit * whirl_probe_value(probe, x, 3);
     }
     memcpy(placed, x, d * sizeof *placed);
+    if (running->spool_count > 0) {
+        const double sense = inner->spools[0].sense;
+        at.other_angle = sense * x[running->spool_state];
+        at.other_speed = sense * x[running->spool_state + 1] * running->unit;
+    }
     running->to_angle(running, placed);
     running->speeds(running, placed, at.turning);
     if (running->in_time) running->watch(running, placed, at.angle, at.torque);
@@ -122,13 +128,21 @@ static void ledger_open(ledger *own, const run_point *at, double *x) {
     whirl_machine machine;
     require_ok(run_point_machine(at, 0.0, NULL, &machine));
     const double highest = machine.drive_speed;
+    whirl_turning how = {.driven = true};
+    whirl_spool_range spools[WHIRL_MAX_SPOOLS];
+    double slow[WHIRL_MAX_SPOOLS] = {0.0};
+    for (size_t k = 0; k < machine.system->spool_count; k++) {
+        spools[k] = (whirl_spool_range){machine.system->spools[k].drive_speed, true};
+        slow[k] = machine.system->spools[k].drive_speed / 256.0;
+        how.spools[k].law = WHIRL_SPOOL_DRIVEN;
+    }
     machine.release(machine.owner);
-    require_ok(whirl_running_new(run_point_machine, at, 0.0, highest, true, NULL, &own->running));
-    require_ok(run_point_machine(at, highest / 256.0, NULL, &machine));
+    require_ok(whirl_running_new(run_point_machine, at, 0.0, highest, true, spools, &own->running));
+    require_ok(run_point_machine(at, highest / 256.0, slow, &machine));
     memcpy(x, machine.start, machine.system->dimension * sizeof *x);
     require_ok(whirl_equilibrium(machine.system, x));
     machine.release(machine.owner);
-    own->running->turn(own->running, &(whirl_turning){.driven = true});
+    own->running->turn(own->running, &how);
     // Add the account to the equations.
     const whirl_system *inner = own->running->by_time;
     own->system = *inner;
@@ -224,13 +238,15 @@ static void fill_half_turn(void) {
     }
 }
 
-/// Returns the power in a short film, W: shear all around, and flow where the pressure is above 0, which is half of the
+/// Returns the power in a short film, W, of surfaces whose speeds have the sum at->speed and that difference: shear all
+/// around, and flow where the pressure is above 0, which is half of the
 /// circumference.
-static double film_power(const seen *at, size_t p, double clearance, double radius, double length, double viscosity) {
+static double film_power_of(const seen *at, size_t p, double clearance, double radius, double length, double viscosity,
+                            double difference) {
     // h = c - x cos - y sin of the angle; the wedge w h'/2 + dh/dt = a cos + b sin of it, and below 0 behind `first`.
     const double x = at->x[p], y = at->y[p], w = at->speed;
     const double a = -0.5 * w * y - at->vx[p], b = 0.5 * w * x - at->vy[p];
-    const double first = atan2(b, a) + 0.5 * pi, cosine = cos(first), sine = sin(first), slide = w * radius;
+    const double first = atan2(b, a) + 0.5 * pi, cosine = cos(first), sine = sin(first), slide = difference * radius;
     double flow = 0.0;
     for (size_t i = 0; i < HALF_TURN; i++) {
         const double c = cosine * half[i].cosine - sine * half[i].sine;
@@ -240,6 +256,10 @@ static double film_power(const seen *at, size_t p, double clearance, double radi
     }
     const double shear = 2.0 * pi * slide * slide / sqrt(clearance * clearance - x * x - y * y);
     return viscosity * radius * length * (length * length * flow + shear);
+}
+
+static double film_power(const seen *at, size_t p, double clearance, double radius, double length, double viscosity) {
+    return film_power_of(at, p, clearance, radius, length, viscosity, at->speed);
 }
 
 static void rub_run_up(const seen *at, account *out) {
@@ -292,6 +312,80 @@ static void fan(const seen *at, account *out) {
     }
     add_rub(at, FAN, 0.2e-3, 2e7, 0.1, 0.25, out);
     add_drive(at, 60.0, 300.0 * pi, 5e-5, out);
+}
+
+// ---------------------------------------------------------------- two shafts with speeds of their own
+
+/// Adds a drive of the second shaft, whose torques are along its rotation, of that sense.
+static void add_other_drive(const seen *at, double sense, double torque, double no_load, double quadratic,
+                            account *out) {
+    seen other = *at;
+    other.speed = sense * at->other_speed;
+    add_drive(&other, torque, no_load, quadratic, out);
+}
+
+/// Returns the energy of a disc on the second shaft, as disc_energy, with an unbalance at an angle.
+static double other_energy(const seen *at, size_t p, double mass, double moment, double angle, double inertia) {
+    seen other = *at;
+    other.angle = at->other_angle + angle;
+    other.speed = at->other_speed;
+    return disc_energy(&other, p, mass, moment, inertia, gravity);
+}
+
+static void twin_spool(const seen *at, account *out) {
+    enum { FAN, CORE };
+    const double x = at->x[FAN] - at->x[CORE], y = at->y[FAN] - at->y[CORE], r = hypot(x, y);
+    const double vx = at->vx[FAN] - at->vx[CORE], vy = at->vy[FAN] - at->vy[CORE], normal = 2e7 * (r - 0.26e-3);
+    *out = (account){.energy = disc_energy(at, FAN, 60.0, 480e-6, 3.0, gravity) +
+                               other_energy(at, CORE, 45.0, 4e-4, 40.0 * pi / 180.0, 1.0) +
+                               7e6 * square(at->x[FAN], at->y[FAN]) + 17e6 * square(at->x[CORE], at->y[CORE]) +
+                               2e6 * square(x, y),
+                     .taken = 900.0 * (square(at->vx[FAN], at->vy[FAN]) + square(at->vx[CORE], at->vy[CORE])) +
+                              300.0 * square(vx, vy)};
+    if (normal > 0.0) {
+        const double slip = 0.08 * (at->speed - at->other_speed) + (x * vy - y * vx) / r;
+        out->energy += 0.5 * normal * normal / 2e7;
+        out->rubbing = 0.1 * normal * slip * slip / hypot(slip, 0.2);
+        out->taken += out->rubbing;
+    }
+    add_drive(at, 400.0, 6500.0 * pi / 30.0, 2e-5, out);
+    add_other_drive(at, -1.0, 300.0, 12000.0 * pi / 30.0, 4e-5, out);
+}
+
+static const char between_text[] =
+    "whirl: 1\nrotor:\n  speed: 300 rad/s\n  length_scale: 0.1 mm\n"
+    "  shafts: {lp: {}, hp: {speed: 400 rad/s}}\n"
+    "  stations:\n"
+    "    a: {shaft: lp, mass: 10 kg, eccentricity: 50 um}\n"
+    "    b: {shaft: hp, mass: 6 kg, moves: x}\n"
+    "  elements:\n"
+    "    - spring: {between: [a, ground], stiffness: 1e6 N/m}\n"
+    "    - spring: {between: [b, ground], stiffness: 8e5 N/m, along: x}\n"
+    "    - film: {at: a, from: b, clearance: 0.4 mm, viscosity: 50 mPa.s, radius: 30 mm, length: 15 mm}\n"
+    "    - unbalance: {at: b, moment: 3e-4 kg.m, angle: 70 deg}\n"
+    "    - gravity: 9.81 m/s2\n"
+    "    - drive: {inertia: 0.05 kg.m2, torque: 6 N.m, no_load_speed: 300 rad/s, load_quadratic: 1e-6 N.m.s2}\n"
+    "    - drive: {shaft: hp, inertia: 0.03 kg.m2, torque: 5 N.m, no_load_speed: 400 rad/s, load_quadratic: 1e-6 "
+    "N.m.s2}\n"
+    "study: {runup: {duration: 1 s, rtol: 1e-12, shafts: {hp: {}}}}\n";
+
+/// Accounts for a film between two shafts: the sum of their speeds is the wedge, their difference the shear. The second
+/// station moves along x alone.
+static void film_between(const seen *at, account *out) {
+    enum { A, B };
+    seen apart = *at;
+    apart.x[A] -= at->x[B];
+    apart.vx[A] -= at->vx[B];
+    seen other = *at;
+    other.y[B] = other.vy[B] = 0.0;
+    *out = (account){.energy = disc_energy(at, A, 10.0, 5e-4, 0.05, gravity) +
+                               other_energy(&other, B, 6.0, 3e-4, 70.0 * pi / 180.0, 0.03) +
+                               5e5 * square(at->x[A], at->y[A]) + 4e5 * square(at->x[B], 0.0)};
+    // A station that moves along one axis has the whole of its unbalance's rotary energy about its axis there.
+    apart.speed = at->speed + at->other_speed;
+    out->taken += film_power_of(&apart, A, 0.4e-3, 0.03, 0.015, 0.05, at->speed - at->other_speed);
+    add_drive(at, 6.0, 300.0, 1e-6, out);
+    add_other_drive(at, 1.0, 5.0, 400.0, 1e-6, out);
 }
 
 // ---------------------------------------------------------------- unbalances of other shafts
@@ -391,6 +485,9 @@ static const run_of runs[] = {
     {"start of a geared compressor", "motor-start", NULL, 0, false, 1e-3, 0.0, 2.0, 0.0, motor_start},
     {"fan in films, from rest", "run-up", NULL, 0, false, 1e-4, 0.0, 1.0, 0.0, fan},
     {"fan in films, blade loss, trip and rub", "run-up", NULL, 0, true, 1e-4, 560.0, 0.1, 0.02, fan},
+    {"engine with two shafts", "twin-spool-run-up", NULL, 0, false, 1e-4, 0.0, 2.0, 0.0, twin_spool},
+    {"engine with two shafts that rub", "twin-spool-run-up", NULL, 0, true, 1e-4, 530.0, 0.2, 0.0, twin_spool},
+    {"film between two shafts", "", between_text, 0, false, 1e-4, 0.0, 1.0, 0.0, film_between},
     {"unbalances of other shafts", "", geared_text, 0, false, 1e-3, 0.0, 1.0, 0.0, geared},
     {"unbalances on a station that moves along x", "", along_x_text, 0, false, 1e-3, 0.0, 1.0, 0.0, along_x},
     {"unbalances on a station that moves along y", "", along_y_text, 0, false, 1e-3, 0.0, 1.0, 0.0, along_y}};
@@ -427,6 +524,7 @@ static void check_balance(const run_of *run, double rtol) {
     ledger own = {.length = run->length, .find = run->find};
     ledger_open(&own, &at, x);
     x[own.running->by_time->dimension - 3] = run->from / own.running->unit;
+    if (own.running->spool_count > 0) x[own.running->spool_state + 1] = 1.75 * run->from / own.running->unit;
     const double stored = fmax(ledger_account(&own, x).energy, 0.0);
     // Carry it, up to the loss of its blade and beyond.
     ledger_carry(&own, run->after > 0.0 ? run->after : run->seconds, rtol, x, &found);

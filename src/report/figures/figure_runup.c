@@ -9,7 +9,7 @@
 #include "units.h"
 
 /// Figures of a run: values of figure_place.which.
-enum { OVER_SPEED, OVER_TIME, ORDERS, SHAFT, CONTACTS, TORQUES };
+enum { OVER_SPEED, OVER_TIME, ORDERS, SHAFTS, SHAFT, CONTACTS, TORQUES };
 
 enum { MAX_ORDERS = 4, MAX_TORQUE_PANELS = 6 };
 
@@ -20,7 +20,8 @@ static void runup_list(figure_list *to, const drawing *of, const whirl_table *ta
         const char *name, *title;
     } alike[] = {{OVER_SPEED, "runup", "%.60s over the speed"},
                  {OVER_TIME, "runup-time", "%.60s over the time"},
-                 {ORDERS, "runup-orders", "%.60s at multiples of the speed"}};
+                 {ORDERS, "runup-orders", "%.60s at multiples of the speed"},
+                 {SHAFTS, "runup-shafts", "%.60s at the speeds of all shafts"}};
     char name[2 * WHIRL_NAME_SIZE];
     size_t runs[MAX_RUNS];
     // List figures only for tables with runs, which are not records of a data set.
@@ -32,6 +33,7 @@ static void runup_list(figure_list *to, const drawing *of, const whirl_table *ta
     // List the figures of stations, except those that twist.
     for (size_t s = 0; s < of->result->station_count; s++)
         for (size_t i = 0; i < sizeof alike / sizeof *alike && !of->result->stations[s].twists; i++) {
+            if (alike[i].which == SHAFTS && !table_has(table, WHIRL_FIELD_RUNUP_SHAFT_TIME)) continue;
             place.which = alike[i].which;
             place.station = s;
             snprintf(name, sizeof name, "%s-%.63s", alike[i].name, of->result->stations[s].name);
@@ -50,8 +52,9 @@ typedef struct course {
     const drawing *of;
     const whirl_table *table;
     size_t point;
-    const char *over; ///< WHIRL_FIELD_RUNUP_TIME or _SPEED
+    const char *over; ///< WHIRL_FIELD_RUNUP_TIME or _SPEED, or those of a shaft with a speed of its own
     double over_size;
+    size_t shaft; ///< number of that shaft, from 1; 0: the rotor's
 } course;
 
 /// Adds a line through all rows of a column, times `factor`. The line of a lag breaks where the lag wraps.
@@ -60,9 +63,10 @@ static void runup_add_line(whirl_figure *figure, whirl_series *line, const cours
     const whirl_field *shape = whirl_layout_field(&c->table->layout, field);
     const double *values = whirl_table_field(c->table, c->point, field, which);
     const double *over = whirl_table_field(c->table, c->point, c->over, 0);
-    const bool wraps = strcmp(field, WHIRL_FIELD_RUNUP_LAG) == 0;
+    const bool wraps = strcmp(field, WHIRL_FIELD_RUNUP_LAG) == 0 || strcmp(field, WHIRL_FIELD_RUNUP_SHAFT_LAG) == 0;
+    const size_t rows = (size_t)c->table->record.runup.rows, first = c->shaft > 0 ? (c->shaft - 1) * rows : 0;
     double before = NAN;
-    for (size_t row = 0; shape && values && over && row < shape->rows; row++) {
+    for (size_t row = first; shape && values && over && row < (c->shaft > 0 ? first + rows : shape->rows); row++) {
         const double value = values[row * shape->columns + column];
         if (!isfinite(over[row]) || !isfinite(value)) continue;
         if (wraps && fabs(value - before) > 180.0) series_break(figure, line);
@@ -73,8 +77,34 @@ static void runup_add_line(whirl_figure *figure, whirl_series *line, const cours
 
 static course runup_course_of(const drawing *of, const whirl_table *table, size_t point, bool by_speed) {
     const whirl_unit *speed = &of->units->of[WHIRL_QUANTITY_SPEED];
-    return (course){of, table, point, by_speed ? WHIRL_FIELD_RUNUP_SPEED : WHIRL_FIELD_RUNUP_TIME,
-                    by_speed ? speed->size : of->units->of[WHIRL_QUANTITY_TIME].size};
+    return (course){of,
+                    table,
+                    point,
+                    by_speed ? WHIRL_FIELD_RUNUP_SPEED : WHIRL_FIELD_RUNUP_TIME,
+                    by_speed ? speed->size : of->units->of[WHIRL_QUANTITY_TIME].size,
+                    0};
+}
+
+/// Returns the course of a shaft with a speed of its own, from 1.
+static course runup_course_of_shaft(const drawing *of, const whirl_table *table, size_t point, size_t shaft,
+                                    bool by_speed) {
+    course c = runup_course_of(of, table, point, by_speed);
+    c.over = by_speed ? WHIRL_FIELD_RUNUP_SHAFT_SPEED : WHIRL_FIELD_RUNUP_SHAFT_TIME;
+    c.shaft = shaft;
+    return c;
+}
+
+/// Returns the number of shafts with a speed of their own, and their names. `memory` keeps these.
+static size_t runup_shafts_of(const whirl_table *table, char memory[WHIRL_NAME_SIZE],
+                              const char *names[WHIRL_MAX_SPOOLS]) {
+    size_t count = 0;
+    snprintf(memory, WHIRL_NAME_SIZE, "%s", table->record.runup.shafts);
+    for (char *at = memory; *at && count < WHIRL_MAX_SPOOLS;) {
+        names[count++] = at;
+        at += strcspn(at, " ");
+        if (*at) *at++ = '\0';
+    }
+    return count;
 }
 
 static whirl_panel *runup_length_panel(const drawing *of, whirl_figure *figure, const char *name,
@@ -158,6 +188,38 @@ static void runup_describe_orders(const drawing *of, const figure_place *place, 
              of->result->stations[place->station].name);
 }
 
+/// Draws amplitude and lag of the first run at the speed of the rotor and of every shaft with a speed of its own, each
+/// over its own speed.
+static void runup_describe_shafts(const drawing *of, const figure_place *place, whirl_figure *figure) {
+    size_t runs[MAX_RUNS];
+    const whirl_table *table = place->table;
+    char memory[WHIRL_NAME_SIZE];
+    const char *names[WHIRL_MAX_SPOOLS];
+    runup_list_runs(table, runs);
+    const size_t shafts = runup_shafts_of(table, memory, names), s = place->station;
+    const double size = units_length(of->units, table, runs[0], WHIRL_AMPLITUDE);
+    whirl_panel *amplitude =
+        runup_length_panel(of, figure, "amplitude", WHIRL_AMPLITUDE, "amplitude of $x$", true, 4.5);
+    whirl_panel *lag = figure_panel(figure, "lag", 1.0, 3.5);
+    if (!amplitude || !lag) return;
+    runup_label_over(of, &lag->x, true);
+    snprintf(lag->y.label, sizeof lag->y.label, "lag of $x$ (\u00b0)");
+    for (size_t shaft = 0; shaft <= shafts; shaft++) {
+        const course c = shaft == 0 ? runup_course_of(of, table, runs[0], true)
+                                    : runup_course_of_shaft(of, table, runs[0], shaft, true);
+        char label[2 * WHIRL_NAME_SIZE];
+        snprintf(label, sizeof label, "1X of %s", shaft == 0 ? "the rotor" : names[shaft - 1]);
+        runup_add_line(figure, panel_named(figure, amplitude, WHIRL_LINE, label, line_colour(shaft), 0.9), &c,
+                       shaft == 0 ? WHIRL_FIELD_RUNUP_AMPLITUDE : WHIRL_FIELD_RUNUP_SHAFT_AMPLITUDE, s, 0, size);
+        runup_add_line(figure, panel_series(figure, lag, WHIRL_LINE, line_colour(shaft), 0.8), &c,
+                       shaft == 0 ? WHIRL_FIELD_RUNUP_LAG : WHIRL_FIELD_RUNUP_SHAFT_LAG, s, 0, 1.0);
+    }
+    snprintf(figure->caption, sizeof figure->caption,
+             "Motion of %.60s along x at the speed of each shaft, over that speed: integrals over single turns of that "
+             "shaft, and the lag behind its mark.",
+             of->result->stations[s].name);
+}
+
 /// Returns true if films or seals brake the shaft of a run.
 static bool runup_is_dragged(const whirl_table *table, size_t run) {
     const whirl_field *torques = whirl_layout_field(&table->layout, WHIRL_FIELD_RUNUP_TORQUE);
@@ -187,6 +249,15 @@ static void runup_describe_shaft(const drawing *of, const figure_place *place, w
                        count > 1 ? panel_named(figure, panel, WHIRL_LINE, label, line_colour(i), 1.0)
                                  : panel_series(figure, panel, WHIRL_LINE, line_colour(0), 1.0),
                        &c, WHIRL_FIELD_RUNUP_SPEED, 0, 0, 1.0 / speed->size);
+    }
+    // For a single run, draw the speeds of the other shafts.
+    char memory[WHIRL_NAME_SIZE];
+    const char *shaft_names[WHIRL_MAX_SPOOLS];
+    const size_t shafts = count == 1 ? runup_shafts_of(table, memory, shaft_names) : 0;
+    for (size_t shaft = 1; shaft <= shafts; shaft++) {
+        const course c = runup_course_of_shaft(of, table, runs[0], shaft, false);
+        runup_add_line(figure, panel_named(figure, panel, WHIRL_LINE, shaft_names[shaft - 1], line_colour(shaft), 1.0),
+                       &c, WHIRL_FIELD_RUNUP_SHAFT_SPEED, 0, 0, 1.0 / speed->size);
     }
     // For a single driven run, draw the torques, unless they change within a turn: then they have a figure of their
     // own.
@@ -298,6 +369,9 @@ static void runup_describe(const drawing *of, const figure_place *place, whirl_f
     case ORDERS:
         runup_describe_orders(of, place, figure);
         break;
+    case SHAFTS:
+        runup_describe_shafts(of, place, figure);
+        break;
     case SHAFT:
         runup_describe_shaft(of, place, figure);
         break;
@@ -307,7 +381,9 @@ static void runup_describe(const drawing *of, const figure_place *place, whirl_f
     default:
         runup_describe_contacts(of, place, figure);
     }
-    runup_caption_runs(of, place->table, place->which == ORDERS || place->which >= CONTACTS ? 1 : MAX_RUNS, figure);
+    runup_caption_runs(of, place->table,
+                       place->which == ORDERS || place->which == SHAFTS || place->which >= CONTACTS ? 1 : MAX_RUNS,
+                       figure);
 }
 
 const figure_kind runup_figure = {.list = runup_list, .describe = runup_describe, .stem = "runup", .study = "runup"};

@@ -106,6 +106,61 @@ static void runup_find_runs(const finder *of) {
     find_sheet_end(of);
 }
 
+/// Returns the name with an index, from 0, in a list of names separated by blanks.
+static const char *runup_shaft_name(const finder *of, size_t index) {
+    const char *at = of->table->record.runup.shafts;
+    for (; index > 0 && *at; index--) at += strcspn(at, " ") + (at[strcspn(at, " ")] == ' ');
+    return find_text(of->findings, "%.*s", (int)strcspn(at, " "), at);
+}
+
+/// Adds the sheet of shafts with a speed of their own: where they end, and the largest motions at their speeds.
+static void runup_find_shafts(const finder *of) {
+    const whirl_field *shafts = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_SHAFT_END);
+    const whirl_field *amplitudes = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_SHAFT_AMPLITUDE);
+    if (!shafts || !amplitudes) return;
+    // Set up the columns.
+    whirl_sheet *sheet = find_sheet(of, "shafts", "Other shafts of a run");
+    sheet->about = "Shafts with a speed of their own: speed and turns at the end of the run, and the largest amplitude "
+                   "at 1X of the shaft at a station, of x or y, with the speed of the shaft there.";
+    sheet_values(of, sheet, "", 6);
+    sheet_texts(of, sheet, "shaft", "shaft");
+    sheet_column(of, sheet, "speed", "speed at the end", WHIRL_QUANTITY_SPEED, 6);
+    sheet_column(of, sheet, "turns", "turns", WHIRL_QUANTITY_NUMBER, 6);
+    sheet_texts(of, sheet, "station", "station");
+    sheet_column(of, sheet, "amplitude", "largest 1X", WHIRL_QUANTITY_LENGTH, 5);
+    sheet_column(of, sheet, "amplitude_speed", "at", WHIRL_QUANTITY_SPEED, 6);
+    // Add a row for each shaft of each run.
+    const size_t rows = amplitudes->rows / shafts->rows;
+    for (size_t point = 0; point < of->table->count; point++)
+        for (size_t k = 0; k < shafts->rows; k++) {
+            const double *end = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_SHAFT_END, 0);
+            const double *speeds = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_SHAFT_SPEED, 0);
+            double largest = NAN, at = NAN;
+            size_t which = 0;
+            if (!end || isnan(end[2 * k])) continue;
+            for (size_t station = 0; station < of->result->station_count; station++) {
+                const double *own = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_SHAFT_AMPLITUDE, station);
+                for (size_t row = k * rows; own && row < (k + 1) * rows; row++)
+                    for (size_t axis = 0; axis < 2; axis++) {
+                        const double size = own[row * amplitudes->columns + axis];
+                        if (!isfinite(size) || size <= largest) continue;
+                        largest = size;
+                        at = speeds[row];
+                        which = station;
+                    }
+            }
+            sheet_row(of, sheet);
+            cell_value(of, sheet, point);
+            cell_text(of, sheet, runup_shaft_name(of, k));
+            cell_number(of, sheet, end[2 * k]);
+            cell_number(of, sheet, end[2 * k + 1]);
+            cell_text(of, sheet, isnan(largest) ? "" : of->result->stations[which].name);
+            cell_number(of, sheet, whirl_result_length_scale(of->result, of->table, point) * largest);
+            cell_number(of, sheet, at);
+        }
+    find_sheet_end(of);
+}
+
 /// Writes the effects of an event: "motor lost, blade lost at fan".
 static void runup_say_event(const finder *of, const double *event, char *text, size_t size) {
     const bool named = event[3] >= 0.0 && event[3] < (double)of->result->station_count;
@@ -520,6 +575,7 @@ static void runup_find(const finder *of) {
     runup_find_largest_torque(of);
     runup_find_slow_roll(of);
     runup_find_runs(of);
+    runup_find_shafts(of);
     runup_find_events(of);
     runup_find_peaks(of);
     runup_find_contacts(of);
