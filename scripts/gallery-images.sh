@@ -52,6 +52,7 @@ done <<'END'
 rub-run-up runup-shaft
 sommerfeld runup-shaft
 run-up runup-fan
+engine-run-up runup-shafts-core
 motor-start runup-torques
 gear-rattle bifurcation-wheel
 END

@@ -36,7 +36,8 @@ linear() { # NAME RANGE [INITIAL]
 
 for name in paper paper-derived paper-literal jeffcott-rub rigid-rotor overhung-rotor compressor spindle bearing-fault \
     magnetic-drop misalignment ross-example pump tilting-pad-table flexible-rotor ring-whirl annular-rub dry-whip \
-    eccentric-damper floating-ring paper-map run-up rub-run-up sommerfeld motor-start gear-rattle; do
+    eccentric-damper floating-ring paper-map run-up rub-run-up sommerfeld motor-start gear-rattle \
+    engine-run-up; do
     "$build/whirl" run "cases/$name.yaml" -o "$work/$name.h5" --force -q
     page "$name" "$work/$name.h5"
 done

@@ -332,7 +332,7 @@ static double other_energy(const seen *at, size_t p, double mass, double moment,
     return disc_energy(&other, p, mass, moment, inertia, gravity);
 }
 
-static void twin_spool(const seen *at, account *out) {
+static void engine(const seen *at, account *out) {
     enum { FAN, CORE };
     const double x = at->x[FAN] - at->x[CORE], y = at->y[FAN] - at->y[CORE], r = hypot(x, y);
     const double vx = at->vx[FAN] - at->vx[CORE], vy = at->vy[FAN] - at->vy[CORE], normal = 2e7 * (r - 0.26e-3);
@@ -485,8 +485,8 @@ static const run_of runs[] = {
     {"start of a geared compressor", "motor-start", NULL, 0, false, 1e-3, 0.0, 2.0, 0.0, motor_start},
     {"fan in films, from rest", "run-up", NULL, 0, false, 1e-4, 0.0, 1.0, 0.0, fan},
     {"fan in films, blade loss, trip and rub", "run-up", NULL, 0, true, 1e-4, 560.0, 0.1, 0.02, fan},
-    {"engine with two shafts", "twin-spool-run-up", NULL, 0, false, 1e-4, 0.0, 2.0, 0.0, twin_spool},
-    {"engine with two shafts that rub", "twin-spool-run-up", NULL, 0, true, 1e-4, 530.0, 0.2, 0.0, twin_spool},
+    {"engine with two shafts", "engine-run-up", NULL, 0, false, 1e-4, 0.0, 2.0, 0.0, engine},
+    {"engine with two shafts that rub", "engine-run-up", NULL, 0, true, 1e-4, 530.0, 0.2, 0.0, engine},
     {"film between two shafts", "", between_text, 0, false, 1e-4, 0.0, 1.0, 0.0, film_between},
     {"unbalances of other shafts", "", geared_text, 0, false, 1e-3, 0.0, 1.0, 0.0, geared},
     {"unbalances on a station that moves along x", "", along_x_text, 0, false, 1e-3, 0.0, 1.0, 0.0, along_x},

@@ -118,7 +118,7 @@ static void two_spools_against_another_program(void **state) {
          weight,
          {"128.963037736", "127.3239544735"},
          {"237.8425268159", "310"},
-         {"-1.375935662", "-.7627049096", ".3154406702", "-.4106236976"}},
+         {"-1.375935662", "-.7627049096", ".3154407062", "-.4106236976"}},
         {"a rub between shafts that turn against each other",
          "-",
          "duration: 1 s, speed_from: 150 rad/s, shafts: {hp: {speed_from: 200 rad/s}}",

@@ -81,7 +81,7 @@ enum {
     WHIRL_OF_STATION
 };
 
-/// What gives the speed of a shaft with a speed of its own.
+/// Laws that give the speed of a shaft with a speed of its own.
 typedef enum whirl_spool_law {
     WHIRL_SPOOL_RATE,       ///< a rate, 0 for a constant speed
     WHIRL_SPOOL_BY_TIME,    ///< a table over the time, straight between its rows
