@@ -8,6 +8,7 @@
 
 #include "plan.h"
 #include "plan_batches.h"
+#include "plan_course.h"
 #include "whirl/engine/integrate.h"
 #include "whirl/engine/result.h"
 
@@ -120,7 +121,8 @@ static void warn_of_rate(warner *w, const whirl_batch *batch) {
     if (!whirl_analysis_has(batch->analyses, "runup") || !(batch->record.runup.rate > 0.0)) return;
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
         for (size_t i = 0; i < w->content->machine.element_count; i++)
-            if (strcmp(w->content->machine.elements[i].name, kinds[k]) == 0) {
+            if (strcmp(w->content->machine.elements[i].name, kinds[k]) == 0 &&
+                !settings_find(&w->content->machine.elements[i], "shaft")) {
                 snprintf(text + strlen(text), sizeof text - strlen(text), "%s%s", *text ? ", " : "", kinds[k]);
                 break;
             }
@@ -129,6 +131,31 @@ static void warn_of_rate(warner *w, const whirl_batch *batch) {
              "has no effect where a rate changes the speed; without a rate torques do");
     snprintf(path, sizeof path, "study.%s.rate", batch->name);
     warn(w, path, text);
+}
+
+/// Warns of drives of shafts with a speed of their own that turn nothing, as a law gives the speed or none is asked
+/// for.
+static void warn_of_shaft_drives(warner *w, const whirl_batch *batch) {
+    const machine_parts *machine = &w->content->machine;
+    const course_parts *course = w->content->plan.origins[batch - w->content->plan.batches].course;
+    for (size_t i = 0; i < machine->element_count && course; i++) {
+        const setting *shaft = settings_find(&machine->elements[i], "shaft");
+        if (strcmp(machine->elements[i].name, "drive") != 0 || !shaft || !shaft->word) continue;
+        for (size_t k = 0; k < course->shaft_count; k++) {
+            const course_shaft *own = &course->shafts[k];
+            const bool lawful = own->speeds.count > 0 || own->formulas[WHIRL_SPOOL_SPEED] ||
+                                (own->place && settings_find(&own->keys, "rate"));
+            char path[2 * WHIRL_NAME_SIZE], text[WHIRL_MESSAGE_SIZE];
+            if (strcmp(own->name, shaft->word) != 0 || (own->place && !lawful)) continue;
+            snprintf(path, sizeof path, "study.%s.shafts", batch->name);
+            snprintf(text, sizeof text,
+                     lawful ? "the drive of shaft '%.40s' has no effect where a law gives its speed"
+                            : "the drive of shaft '%.40s' has no effect: the run does not list the shaft, which keeps "
+                              "its speed",
+                     own->name);
+            warn(w, path, text);
+        }
+    }
 }
 
 /// Returns the name of an element whose drag is unknown, "film by its load"; NULL if it is known or there is none.
@@ -214,6 +241,7 @@ static void warn_of_point(warner *w, const whirl_batch *batch, size_t point) {
     warn_of_machine(w, given, count);
     warn_of_weight(w, batch, given, count);
     warn_of_rate(w, batch);
+    if (whirl_analysis_has(batch->analyses, "runup")) warn_of_shaft_drives(w, batch);
     warn_of_drag(w, batch);
     warn_of_twisted_unbalances(w, batch, given, count);
     warn_of_tolerance(w, batch, given, count);

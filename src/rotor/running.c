@@ -5,98 +5,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "matrix.h"
 #include "running_rotor.h"
 #include "table.h"
-
-/// Largest error of a number that counts as a sum of powers, divided by the number's largest value.
-static const double power_error = 2e-12;
 
 /// Speed, divided by the unit, below which the dry friction of a load falls to 0 in proportion to the speed, for
 /// machines that may stand while torques pulsate.
 static const double slipping = 1e-4;
 
 // ---------------------------------------------------------------- numbers over the speed
-
-/// Solves for the factors out [count] of the powers `of` [count] of w [count] whose sum is y [count]. Returns false if
-/// the equations are singular.
-static bool running_fit_powers(size_t count, const int *of, const double *w, const double *y, double *out) {
-    double a[POWERS * POWERS];
-    for (size_t i = 0; i < count; i++)
-        for (size_t j = 0; j < count; j++) a[i * count + j] = pow(w[i], of[j]);
-    memcpy(out, y, count * sizeof *out);
-    return matrix_solve(count, a, 1, out);
-}
-
-bool running_find_powers(size_t speeds, const double *w, const double *y, double power[POWERS]) {
-    double largest = 0.0;
-    for (size_t i = 0; i < speeds; i++) largest = fmax(largest, fabs(y[i]));
-    for (size_t count = 1; count <= POWERS; count++)
-        for (unsigned set = 1; set < 1u << POWERS; set++) {
-            int of[POWERS];
-            double found[POWERS], at[POWERS], value[POWERS];
-            size_t size = 0;
-            bool holds;
-            for (int k = 0; k < POWERS; k++)
-                if (set >> k & 1) of[size++] = k + LOWEST_POWER;
-            if (size != count) continue;
-            // Fit at about every second speed, over the whole range. The other speeds check the fit.
-            for (size_t i = 0; i < count; i++) {
-                const size_t pick = count == 1 ? 0 : i * (speeds - 1) / (count - 1);
-                at[i] = w[pick];
-                value[i] = y[pick];
-            }
-            holds = running_fit_powers(count, of, at, value, found);
-            for (size_t i = 0; i < speeds && holds; i++) {
-                double sum = 0.0;
-                for (size_t j = 0; j < count; j++) sum += found[j] * pow(w[i], of[j]);
-                holds = fabs(sum - y[i]) <= power_error * largest;
-            }
-            if (!holds) continue;
-            memset(power, 0, POWERS * sizeof *power);
-            for (size_t j = 0; j < count; j++) power[of[j] - LOWEST_POWER] = found[j];
-            return true;
-        }
-    return false;
-}
-
-void running_spline_bend(double h, const double *y, double *curvature) {
-    double diagonal[SPLINE_NODES], right[SPLINE_NODES];
-    const size_t last = SPLINE_NODES - 1;
-    for (size_t i = 1; i < last; i++) {
-        diagonal[i] = i == 1 || i + 1 == last ? 5.0 : 4.0;
-        right[i] = 6.0 * (y[i - 1] - 2.0 * y[i] + y[i + 1]) / (h * h);
-    }
-    for (size_t i = 2; i < last; i++) {
-        const double share = 1.0 / diagonal[i - 1];
-        diagonal[i] -= share;
-        right[i] -= share * right[i - 1];
-    }
-    curvature[last - 1] = right[last - 1] / diagonal[last - 1];
-    for (size_t i = last - 1; i-- > 1;) curvature[i] = (right[i] - curvature[i + 1]) / diagonal[i];
-    curvature[0] = curvature[1];
-    curvature[last] = curvature[last - 1];
-}
-
-static double spline_at(const number_of_speed *of, double lowest, double distance, double w) {
-    const double place = (w - lowest) / distance;
-    const double bounded = fmin(fmax(place, 0.0), SPLINE_NODES - 1.0);
-    const size_t i = bounded >= SPLINE_NODES - 1 ? SPLINE_NODES - 2 : (size_t)bounded;
-    const double b = bounded - (double)i, a = 1.0 - b, h = distance;
-    return a * of->value[i] + b * of->value[i + 1] +
-           ((a * a * a - a) * of->curvature[i] + (b * b * b - b) * of->curvature[i + 1]) * h * h / 6.0;
-}
-
-/// Returns w^lift.
-static double spline_lift(int lift, double w) {
-    return lift == 0 ? 1.0 : lift == 1 ? w : w * w;
-}
-
-double running_number_at(const number_of_speed *of, double lowest, double distance, double w) {
-    const double *c = of->power;
-    if (of->value) return spline_at(of, lowest, distance, w) / spline_lift(of->lift, w);
-    return ((c[0] / w + c[1]) / w + c[2]) + w * (c[3] + w * c[4]);
-}
 
 /// Evaluates the numbers at a speed, in workspace. x: a state with the speeds of shafts that have their own, or NULL
 /// for the highest ones.
@@ -115,124 +31,6 @@ static double *running_numbers_at(const running_rotor *r, double w, const double
     return r->numbers;
 }
 
-/// Checks the torques of a machine, and what they turn.
-static whirl_status running_check_torques(const whirl_rotor *rotor) {
-    size_t stations[MAX_TORQUES + 2], count = 0;
-    const bool twists = rotor->twist_count > 0;
-    if (twists && rotor->aside != NO_STATION)
-        return whirl_fail(WHIRL_BAD_INPUT,
-                          "nothing joins the twist of station '%s' to the shaft that is driven, expected a coupling, "
-                          "a gear or a spring",
-                          rotor->probes[rotor->aside].name);
-    if (twists && rotor->drive.inertia > 0.0)
-        return whirl_fail(
-            WHIRL_BAD_INPUT,
-            "the drive has an inertia and stations twist, whose own inertia counts, expected one of them");
-    if (!twists && !(rotor->drive.inertia > 0.0))
-        return whirl_fail(WHIRL_BAD_INPUT, "torques turn the shaft and its inertia is not known, expected an element "
-                                           "drive with inertia");
-    if (!twists) return whirl_ok();
-    if (rotor->grounded)
-        return whirl_fail(WHIRL_BAD_INPUT, "a spring holds a twist to the ground, and torques turn the shaft, expected "
-                                           "none");
-    if (rotor->drive.given) stations[count++] = rotor->drive.at;
-    if (rotor->drive.given) stations[count++] = rotor->drive.load_at;
-    for (size_t i = 0; i < rotor->torque_count; i++) stations[count++] = rotor->torques[i].station;
-    for (size_t i = 0; i < count; i++)
-        if (stations[i] == NO_STATION || rotor->twists[stations[i]].coordinate == NO_COORDINATE)
-            return whirl_fail(WHIRL_BAD_INPUT,
-                              "stations twist and a torque acts on the shaft as a whole, expected a station that "
-                              "twists (at)");
-    return whirl_ok();
-}
-
-whirl_status whirl_running_check(const whirl_system *system, bool driven) {
-    const whirl_rotor *rotor = rotor_of_system(system);
-    if (!rotor)
-        return whirl_fail(WHIRL_BAD_INPUT,
-                          "the machine is no rotor, expected stations and elements, whose shaft turns");
-    if (rotor->phase)
-        return whirl_fail(WHIRL_BAD_INPUT,
-                          "sections of the machine are taken by the %s, expected those of its shaft (keyphasor: no)",
-                          rotor->keyphasor);
-    if (rotor->spool_count > 0 && rotor->twist_count > 0)
-        return whirl_fail(WHIRL_BAD_INPUT,
-                          "the machine has stations that twist and shaft '%s' with a speed of its own, expected one of "
-                          "them",
-                          rotor->spools[0].name);
-    if (driven) return running_check_torques(rotor);
-    if (rotor->twist_count > 0)
-        return whirl_fail(WHIRL_BAD_INPUT,
-                          "the machine has stations that twist, and a rate changes its speed, expected no rate but "
-                          "torques, or stations without twist (moves: xy, x or y)");
-    return whirl_ok();
-}
-
-whirl_status whirl_running_check_change(const whirl_system *system, const whirl_system *changed) {
-    const whirl_rotor *rotor = rotor_of_system(system), *other = rotor_of_system(changed);
-    if (rotor && other && rotor->lanes.alike(rotor, other) && rotor->length == other->length &&
-        system->torque_count == changed->torque_count)
-        return whirl_ok();
-    return whirl_fail(WHIRL_BAD_INPUT, "the change gives the machine other parts or another length scale, expected "
-                                       "other numbers of the same parts");
-}
-
-/// Returns true if the coupling by mass between the same coordinates of both machines differs.
-static bool running_couples_otherwise(const whirl_rotor *one, const whirl_rotor *other) {
-    const coupling *a = &one->coupled, *b = &other->coupled;
-    return a->count > 0 && a->count == b->count &&
-           memcmp(a->share, b->share, a->count * a->count * sizeof *a->share) != 0;
-}
-
-static whirl_status running_check_machine(const running_rotor *r, const whirl_machine *machine) {
-    const whirl_status status = whirl_running_check(machine->system, r->driven);
-    if (status.code != WHIRL_OK) return status;
-    const whirl_rotor *rotor = rotor_of_system(machine->system);
-    if (machine->system->frequency_count > 0)
-        return whirl_fail(
-            WHIRL_BAD_INPUT,
-            "a bearing has coefficients over frequencies of whirl, expected a machine that moves in time");
-    if (r->rotor && running_couples_otherwise(r->rotor, rotor))
-        return whirl_fail(WHIRL_BAD_INPUT,
-                          "masses between stations (the fluid of a seal in a housing that moves) differ between %.6g "
-                          "and %.6g rad/s, expected the same at all speeds of a run, or a housing that stands",
-                          rotor->speed, r->rotor->speed);
-    if (r->rotor && !r->rotor->lanes.alike(r->rotor, rotor))
-        return whirl_fail(WHIRL_BAD_INPUT,
-                          "the machine has other parts at %.6g rad/s than at %.6g rad/s, expected the same at all "
-                          "speeds of its run",
-                          rotor->speed, r->rotor->speed);
-    return whirl_ok();
-}
-
-whirl_status running_sample(const running_rotor *r, whirl_machine_at *make, const void *context, size_t count,
-                            const double *w, const double *spools, double *out) {
-    const size_t numbers = r->rotor->lanes.number_count;
-    whirl_status status = whirl_ok();
-    for (size_t i = 0; i < count && status.code == WHIRL_OK; i++) {
-        whirl_machine machine = {.system = NULL};
-        double speeds[WHIRL_MAX_SPOOLS] = {0.0};
-        for (size_t k = 0; k < r->spool_count; k++)
-            speeds[k] = r->unit * (spools ? spools[i * r->spool_count + k] : r->spools[k].highest);
-        status = make(context, w[i] * r->unit, r->spool_count > 0 ? speeds : NULL, &machine);
-        if (status.code != WHIRL_OK) return status;
-        status = running_check_machine(r, &machine);
-        if (status.code == WHIRL_OK)
-            memcpy(out + i * numbers, rotor_of_system(machine.system)->numbers, numbers * sizeof *out);
-        if (machine.release) machine.release(machine.owner);
-    }
-    return status;
-}
-
-/// Returns the lift of a number: the power of w by which it is multiplied before the spline is fitted. The lift follows
-/// from the values at the two lowest speeds, w [2]: towards low speeds stiffnesses grow as 1/w^2, dampings as 1/w, and
-/// ratios do not grow. Below its first node a spline keeps its value, so that with another lift a number would vanish
-/// or grow without limit there.
-int running_spline_lift(const double *w, double lowest, double next) {
-    const double growth = log(fabs(lowest / next)) / log(w[1] / w[0]);
-    return growth > 1.5 ? 2 : growth > 0.5 ? 1 : 0; // 0 also where it is not a number
-}
-
 /// Fits splines to the numbers that are not sums of powers, from y [SPLINE_SPEEDS][number_count]. Notes the largest
 /// error half way between nodes.
 static void running_fit_splines(running_rotor *r, const double *w, const double *y) {
@@ -247,14 +45,15 @@ static void running_fit_splines(running_rotor *r, const double *w, const double 
         next += SPLINE_NUMBERS;
         own->lift = running_spline_lift(w, y[own->index], y[numbers + own->index]);
         for (size_t i = 0; i < SPLINE_SPEEDS; i++) {
-            lifted[i] = spline_lift(own->lift, w[i]) * y[i * numbers + own->index];
+            lifted[i] = running_spline_grown(own->lift, w[i]) * y[i * numbers + own->index];
             largest = fmax(largest, fabs(lifted[i]));
         }
         for (size_t i = 0; i < SPLINE_NODES; i++) own->value[i] = lifted[2 * i];
         running_spline_bend(r->node_distance, own->value, own->curvature);
         for (size_t i = 1; i < SPLINE_SPEEDS; i += 2)
-            r->shown.error = fmax(r->shown.error,
-                                  fabs(spline_at(own, r->lowest_node, r->node_distance, w[i]) - lifted[i]) / largest);
+            r->shown.error =
+                fmax(r->shown.error,
+                     fabs(running_spline_at(own, r->lowest_node, r->node_distance, w[i]) - lifted[i]) / largest);
     }
 }
 

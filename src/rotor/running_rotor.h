@@ -178,8 +178,17 @@ void running_spline_bend(double h, const double *y, double *curvature);
 /// Returns the power of the speed that makes a number finite at low speeds: 0, 1 or 2. w [2]: the lowest two speeds.
 int running_spline_lift(const double *w, double lowest, double next);
 
+/// Returns the spline of a number, which is that of w^lift times the number, at a speed.
+double running_spline_at(const number_of_speed *of, double lowest, double distance, double w);
+
+/// Returns w^lift.
+double running_spline_grown(int lift, double w);
+
 /// Returns a number at a speed, over nodes of splines from `lowest` at distances `distance`.
 double running_number_at(const number_of_speed *of, double lowest, double distance, double w);
+
+/// Checks that a machine at another speed can run, and has the structure of r->rotor. WHIRL_BAD_INPUT with a sentence.
+whirl_status running_check_machine(const running_rotor *r, const whirl_machine *machine);
 
 /// Makes the machine at speeds w [count], divided by the unit, and writes its numbers, out [count][number_count].
 /// spools [count][spool_count]: speeds of the shafts with a speed of their own over the unit; NULL: the highest.
@@ -187,8 +196,8 @@ whirl_status running_sample(const running_rotor *r, whirl_machine_at *make, cons
                             const double *w, const double *spools, double *out);
 
 /// Finds how numbers depend on the speeds of shafts with a speed of their own (running_spools.c). y
-/// [POWER_SPEEDS][number_count]: numbers at the speeds w of the rotor and the base of these shafts. Removes numbers from
-/// r->varying that are no sums, and counts their splines off *splines.
+/// [POWER_SPEEDS][number_count]: numbers at the speeds w of the rotor and the base of these shafts. Removes numbers
+/// from r->varying that are no sums, and counts their splines off *splines.
 whirl_status running_find_spooled(running_rotor *r, whirl_machine_at *make, const void *context, const double *w,
                                   const double *y, size_t *splines);
 

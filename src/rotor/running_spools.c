@@ -394,8 +394,8 @@ void running_solve_shafts(const running_rotor *r, double w, const double *a, con
     enum { SHAFTS = 1 + WHIRL_MAX_SPOOLS };
     const whirl_rotor *rotor = r->rotor;
     const double square = r->unit * r->unit;
-    double matrix[SHAFTS * SHAFTS], right[SHAFTS], coupled[SHAFTS][SHAFTS];
-    size_t unknown[SHAFTS], unknowns = 0;
+    double matrix[SHAFTS * SHAFTS] = {0.0}, right[SHAFTS] = {0.0}, coupled[SHAFTS][SHAFTS] = {{0.0}};
+    size_t unknown[SHAFTS] = {0}, unknowns = 0;
     // Sum what the unbalances of each shaft do to it: at rest of all theta'', and by each of them.
     for (size_t i = 0; i < count; i++) {
         shaft_row *own = &rows[i];
