@@ -356,7 +356,7 @@ whirl_status running_add_spools(running_rotor *r) {
     for (size_t i = 0; i < rotor->element_count && r->spool_count > 0; i++) {
         const double start[MAX_ELEMENT_STATES] = {0.0};
         const size_t *port = rotor->elements[i].port;
-        double lever[2];
+        double lever[2] = {0.0, 0.0};
         const double moment = spool_lever(r, i, start, lever);
         const size_t at = port[0] != NO_COORDINATE ? port[0] : port[1];
         if (moment > 0.0 && at != NO_COORDINATE)
@@ -374,7 +374,7 @@ void running_find_spool_levers(const running_rotor *r, const double *x) {
     }
     for (size_t i = 0; i < rotor->element_count; i++) {
         const element *own = &rotor->elements[i];
-        double lever[2];
+        double lever[2] = {0.0, 0.0};
         if (spool_lever(r, i, x + n + own->state, lever) == 0.0) continue;
         running_spool *to = &r->spools[own->spool - 1];
         for (size_t p = 0; p < 2; p++)
