@@ -152,8 +152,7 @@ export class RestView {
     if (rest.modulo(point) > 0)
       parts.push('coefficients turn with the shaft: frequencies are known but for multiples of the speed');
     const closed = rest.closedContacts(point);
-    if (closed.length > 0)
-      parts.push(`rests against ${closed.join(' and ')}, which small motions do not open`);
+    if (closed.length > 0) parts.push(`rests against ${closed.join(' and ')}, which small motions do not open`);
     this.how.textContent = `${parts.join('; ')}.`;
   }
 

@@ -27,8 +27,8 @@ bool matrix_symmetric_modes(size_t n, const double *k, const double *m, double *
 bool matrix_eigen(size_t n, double *a, double *real, double *imaginary, double *vectors);
 
 /// Computes eigenvalues like matrix_eigen. Unless NULL, rounding [n] becomes a bound of each eigenvalue's rounding
-/// error: the norm of the balanced matrix times the rounding unit. For slow eigenvalues the bound is multiplied by their
-/// condition (Golub, Van Loan 2013, 7.2.2). `rounding` requires `vectors`.
+/// error: the norm of the balanced matrix times the rounding unit. For slow eigenvalues the bound is multiplied by
+/// their condition (Golub, Van Loan 2013, 7.2.2). `rounding` requires `vectors`.
 bool matrix_eigen_rounding(size_t n, double *a, double *real, double *imaginary, double *vectors, double *rounding);
 
 /// Computes eigenvalues and vectors like matrix_eigen, from the inverse of a, which stays. The slowest eigenvalues are
