@@ -116,11 +116,6 @@ static whirl_status running_find_numbers(running_rotor *r, whirl_machine_at *mak
 
 // ---------------------------------------------------------------- what turns with the shaft
 
-/// Returns true if a station moves along x (way: 0) or along y (way: 1).
-static bool running_probe_moves(const whirl_probe *probe, size_t way) {
-    return probe->x != probe->y || (way == 1) == probe->along_y;
-}
-
 /// Computes the lever of element `index` if it is an unbalance that turns at a fixed ratio of the shaft's speed, with
 /// the numbers of the speed w and the states [own->states]. Returns what element_type.lever returns, 0 for other
 /// elements.
@@ -163,18 +158,8 @@ static double running_unbalance_inertia(const running_rotor *r) {
 
 static void running_lose(whirl_running *running, size_t count, const whirl_placed *placed);
 
-/// Adds an unbalance that appears on a shaft with a speed of its own, and its inertia.
-static void running_lose_on_spool(running_rotor *r, const whirl_placed *placed) {
-    const whirl_rotor *rotor = r->rotor;
-    const whirl_probe *probe = &rotor->probes[placed->station];
-    running_spool *own = &r->spools[rotor->spool_of[placed->station] - 1];
-    r->lost_spools[r->lost_spool_count++] = *placed;
-    if (running_probe_moves(probe, 0) || running_probe_moves(probe, 1))
-        own->lost_inertia += placed->moment * placed->moment / rotor->inertia[probe->x];
-}
-
-/// Adds the forces of these unbalances in a state x by the angle to the accelerations a [degrees] at the speed w, and
-/// their levers.
+/// Adds the forces of unbalances that have appeared on shafts with a speed of their own in a state x by the angle to
+/// the accelerations a [degrees] at the speed w, and their levers.
 static void running_add_lost_spools(const running_rotor *r, double w, const double *x, double *a) {
     const whirl_rotor *rotor = r->rotor;
     const size_t n = rotor->lanes.degrees;
@@ -267,10 +252,9 @@ static void running_lose(whirl_running *running, size_t count, const whirl_place
     memset(r->lost_force_sin, 0, n * sizeof *r->lost_force_sin);
     memcpy(r->lost_guided, rotor->guided, sizeof r->lost_guided);
     r->lost_spool_count = 0;
-    for (size_t k = 0; k < r->spool_count; k++) r->spools[k].lost_inertia = 0.0;
     for (size_t i = 0; i < count; i++) {
         if (rotor->spool_of[placed[i].station] > 0) {
-            running_lose_on_spool(r, &placed[i]);
+            r->lost_spools[r->lost_spool_count++] = placed[i];
             continue;
         }
         const whirl_probe *probe = &rotor->probes[placed[i].station];
@@ -293,6 +277,7 @@ static void running_lose(whirl_running *running, size_t count, const whirl_place
     rotor_accelerate(rotor, r->lost_force_cos, r->lost_cos);
     rotor_accelerate(rotor, r->lost_force_sin, r->lost_sin);
     r->lost_inertia = running_unbalance_inertia(r);
+    for (size_t k = 0; k < r->spool_count; k++) r->spools[k].unbalance_inertia = running_spool_unbalance_inertia(r, k);
 }
 
 // ---------------------------------------------------------------- the equation of the shaft
@@ -615,7 +600,7 @@ static shaft_row running_spool_row(const running_rotor *r, size_t k, const runni
     const double time = s->x[r->at_speed + 1] / r->unit;
     shaft_row row = {.driven = how->law == WHIRL_SPOOL_DRIVEN,
                      .torque = torques->motor + torques->load + torques->friction + torques->drag,
-                     .inertia = own->inertia + own->lost_inertia,
+                     .inertia = own->inertia + own->unbalance_inertia,
                      .force = own->lever_force,
                      .acceleration = own->lever_acceleration,
                      .guided = own->guided_lever};

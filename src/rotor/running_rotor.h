@@ -55,8 +55,8 @@ typedef struct running_spool {
     double sense;   ///< as in whirl_spool
     double lowest_node, node_distance;        ///< of splines over its speed
     bool driven;                              ///< its drive turns it at some time
-    double inertia;                           ///< kg m2 about its axis: that of its drive, and what unbalances add
-    double lost_inertia;                      ///< kg m2: what unbalances that have appeared add
+    double inertia;                           ///< kg m2, about axes through centres of mass
+    double unbalance_inertia;                 ///< kg m2: what unbalances, with those of `lose`, add to it
     double *lever_force, *lever_acceleration; ///< [degrees] workspace: levers of its theta'' on a coordinate
     double guided_lever[2];                   ///< workspace: levers along x and y of what does not move that way
 } running_spool;
@@ -209,6 +209,15 @@ whirl_status running_add_spools(running_rotor *r);
 
 /// Returns a shaft with a speed of its own by its highest speed over the unit, and its sense.
 running_spool running_spool_of(double highest, double sense);
+
+/// Returns true if a station moves along x (way: 0) or along y (way: 1).
+static inline bool running_probe_moves(const whirl_probe *probe, size_t way) {
+    return probe->x != probe->y || (way == 1) == probe->along_y;
+}
+
+/// Returns what the unbalances of shaft k with a speed of its own, with those of `lose`, add to its inertia about its
+/// axis: of each place the square of its moment over its mass, kg m2. It overwrites the levers.
+double running_spool_unbalance_inertia(const running_rotor *r, size_t k);
 
 /// Computes their levers in a state x by the angle.
 void running_find_spool_levers(const running_rotor *r, const double *x);

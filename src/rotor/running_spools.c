@@ -342,27 +342,47 @@ running_spool running_spool_of(double highest, double sense) {
 }
 
 whirl_status running_add_spools(running_rotor *r) {
-    const whirl_rotor *rotor = r->rotor;
-    const size_t n = rotor->lanes.degrees;
+    const size_t n = r->rotor->lanes.degrees;
     for (size_t k = 0; k < r->spool_count; k++) {
         r->spools[k].lever_force = calloc(2 * n + 1, sizeof(double));
         if (!r->spools[k].lever_force)
             return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine whose speed changes");
         r->spools[k].lever_acceleration = r->spools[k].lever_force + n;
-        r->spools[k].inertia = rotor->spool_drives[k].inertia;
-    }
-    // An unbalance U of a mass m is at U/m from the axis. Inertias of drives are about axes through the centres of
-    // mass.
-    for (size_t i = 0; i < rotor->element_count && r->spool_count > 0; i++) {
-        const double start[MAX_ELEMENT_STATES] = {0.0};
-        const size_t *port = rotor->elements[i].port;
-        double lever[2] = {0.0, 0.0};
-        const double moment = spool_lever(r, i, start, lever);
-        const size_t at = port[0] != NO_COORDINATE ? port[0] : port[1];
-        if (moment > 0.0 && at != NO_COORDINATE)
-            r->spools[rotor->elements[i].spool - 1].inertia += moment * moment / rotor->inertia[at];
+        r->spools[k].inertia = r->rotor->spool_drives[k].inertia;
     }
     return whirl_ok();
+}
+
+double running_spool_unbalance_inertia(const running_rotor *r, size_t k) {
+    enum { PHASES = 2 };
+    const whirl_rotor *rotor = r->rotor;
+    const size_t n = rotor->lanes.degrees;
+    running_spool *own = &r->spools[k];
+    double *const sums[PHASES] = {own->lever_force, own->lever_acceleration};
+    double inertia = 0.0;
+    // Sum the levers of all unbalances of a place, at two phases a quarter turn apart.
+    for (size_t phase = 0; phase < PHASES; phase++) {
+        const double quarter = 1.57079632679489661923 * (double)phase;
+        memset(sums[phase], 0, n * sizeof(double));
+        for (size_t i = 0; i < rotor->element_count; i++) {
+            const double at[MAX_ELEMENT_STATES] = {quarter};
+            double lever[2] = {0.0, 0.0};
+            if (rotor->elements[i].spool != k + 1 || spool_lever(r, i, at, lever) == 0.0) continue;
+            for (size_t p = 0; p < 2; p++)
+                if (rotor->elements[i].port[p] != NO_COORDINATE) sums[phase][rotor->elements[i].port[p]] += lever[p];
+        }
+        for (size_t i = 0; i < r->lost_spool_count; i++) {
+            const whirl_placed *placed = &r->lost_spools[i];
+            const whirl_probe *probe = &rotor->probes[placed->station];
+            const double sense = rotor->way * own->sense, angle = placed->angle + quarter;
+            if (rotor->spool_of[placed->station] != k + 1) continue;
+            if (running_probe_moves(probe, 0)) sums[phase][probe->x] += sense * placed->moment * sin(angle);
+            if (running_probe_moves(probe, 1)) sums[phase][probe->y] -= sense * placed->moment * cos(angle);
+        }
+    }
+    for (size_t i = 0; i < n; i++)
+        inertia += r->alone[i] * (sums[0][i] * sums[0][i] + sums[1][i] * sums[1][i]) / rotor->inertia[i];
+    return inertia;
 }
 
 void running_find_spool_levers(const running_rotor *r, const double *x) {

@@ -84,6 +84,32 @@ static const char settled[] = "whirl: 1\n"
                               "settle: 30, duration: 600 s,\n"
                               "          rows: 40, samples: 32}\n";
 
+/// Two shafts with speeds of their own that rub on each other: the turns of the second one go on over the stops.
+static const char two_shafts[] =
+    "whirl: 1\n"
+    "rotor:\n"
+    "  speed: 300 rad/s\n"
+    "  length_scale: 1 mm\n"
+    "  shafts: {low: {}, high: {speed: -420 rad/s}}\n"
+    "  stations:\n"
+    "    a: {shaft: low, mass: 10 kg, damping: 150 N.s/m, eccentricity: 0.3 mm}\n"
+    "    b: {shaft: high, mass: 6 kg, damping: 90 N.s/m}\n"
+    "  elements:\n"
+    "    - shaft: {between: [a, ground], k1: 4e5 N/m}\n"
+    "    - shaft: {between: [b, ground], k1: 3e5 N/m}\n"
+    "    - unbalance: {at: b, moment: 1.2e-3 kg.m}\n"
+    "    - contact: {at: a, from: b, gap: 1 mm, stiffness: 3e6, power: 1, friction: 0.2, radius: 60 mm, slip_speed: "
+    "0.5 "
+    "m/s}\n"
+    "    - gravity: 9.81 m/s2\n"
+    "    - drive: {inertia: 0.05 kg.m2, torque: 6 N.m, no_load_speed: 300 rad/s}\n"
+    "    - drive: {shaft: high, inertia: 0.02 kg.m2, torque: 4 N.m, no_load_speed: 450 rad/s}\n"
+    "study:\n"
+    "  runup: {duration: 3 s, rows: 30, samples: 32, shafts: {high: {}}, events: [{shaft: high, speed: 100 rad/s, "
+    "loss_at: "
+    "b,\n"
+    "          loss_moment: 5e-4 kg.m}, {shaft: high, speed: 130 rad/s, trip: yes}]}\n";
+
 /// A run that is stopped after some turns, and the state that was saved there.
 typedef struct stopping {
     int turns, at; ///< turns so far, and after how many to save and stop; -1: never
@@ -142,6 +168,7 @@ static double *compute(const char *text, void *state, size_t bytes, stopping *ho
                                  .clock = machine.clock,
                                  .speed = machine.speed,
                                  .at_speed = make_at_speed,
+                                 .at_speeds = run_point_machine,
                                  .running = make_running,
                                  .context = &at,
                                  .drive_speed = machine.drive_speed,
@@ -187,7 +214,7 @@ static double *compute_in_pieces(const char *text, unsigned *seed, int most, int
 }
 
 static void runs_in_pieces(void **state) {
-    static const char *const cases[] = {driven, motor, settled};
+    static const char *const cases[] = {driven, motor, settled, two_shafts};
     unsigned seed = 20261130u;
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
