@@ -172,8 +172,15 @@ static whirl_status spool_find(const spool_fit *f, size_t n, spool_number *out) 
             out->lift = lift;
             out->highest = f->y[AT_SPEED * f->numbers + n] / pow(f->w[AT_SPEED], lift);
             out->constant = f->y[n];
-            if (!running_find_powers(SPOOL_SPEEDS, f->of[k].speed, values, out->by.power))
-                out->by.value = r->numbers; // not NULL: spool_add_splines replaces it
+            if (running_find_powers(SPOOL_SPEEDS, f->of[k].speed, values, out->by.power)) return whirl_ok();
+            // The sense of a relative motion may change with one of both speeds alone in the samples.
+            for (size_t other = 0; other <= r->spool_count; other++) {
+                const size_t both[2] = {other, k + 1};
+                if (other == k + 1 || !spool_relative(f, n, both, out)) continue;
+                out->of[0] = other;
+                return whirl_ok();
+            }
+            out->by.value = r->numbers; // not NULL: spool_add_splines replaces it
             return whirl_ok();
         }
     return count <= 2 && spool_relative(f, n, of, out) ? whirl_ok() : spool_refuse(r, n);

@@ -264,12 +264,55 @@ static void a_law_that_is_a_ratio(void **state) {
     }
 }
 
+/// Three shafts, with a film between the second and the third, which turn against each other: their laws are ratios of
+/// the first speed, and the machine moves as one of these fixed ratios.
+static void three_shafts(void **state) {
+    static const char form[] =
+        "whirl: 1\n"
+        "rotor:\n"
+        "  speed: 300 rad/s\n"
+        "  length_scale: 1 mm\n"
+        "  shafts: {lp: {}, ip: {%s}, hp: {%s}}\n"
+        "  stations:\n"
+        "    a: {shaft: lp, mass: 10 kg, damping: 150 N.s/m, eccentricity: 0.3 mm}\n"
+        "    b: {shaft: ip, mass: 6 kg, damping: 90 N.s/m}\n"
+        "    c: {shaft: hp, mass: 6 kg, damping: 90 N.s/m}\n"
+        "  elements:\n"
+        "    - shaft: {between: [a, ground], k1: 4e5 N/m}\n"
+        "    - shaft: {between: [b, ground], k1: 3e5 N/m}\n"
+        "    - shaft: {between: [c, ground], k1: 3.5e5 N/m}\n"
+        "    - spring: {between: [a, b], stiffness: 2e5 N/m, damping: 40 N.s/m}\n"
+        "    - film: {at: b, from: c, clearance: 3 mm, viscosity: 50 mPa.s, radius: 30 mm, length: 15 mm}\n"
+        "    - unbalance: {at: b, moment: 1.2e-3 kg.m, angle: -50 deg}\n"
+        "    - unbalance: {at: c, moment: 1e-3 kg.m}\n"
+        "    - gravity: 9.81 m/s2\n"
+        "study:\n"
+        "  runup: {speed_from: 30 rad/s, speed_to: 80 rad/s, rate: 25 rad/s2, rtol: 1e-12, rows: 20%s}\n";
+    char text[SIZE];
+    (void)state;
+    snprintf(text, sizeof text, form, "ratio: -1.2", "ratio: 1.7", "");
+    whirl_result *own = result_of_text(text);
+    snprintf(text, sizeof text, form, "speed: -350 rad/s", "speed: 420 rad/s",
+             ", shafts: {ip: {speed_law: \"= 1.2*speed\", speed_to: 350 rad/s}, hp: {speed_law: \"= 1.7*speed\", "
+             "speed_to: 420 rad/s}}");
+    whirl_result *other = result_of_text(text);
+    for (size_t k = 0; k < 6; k++)
+        check_within("Spools", words("three shafts: place %zu", k),
+                     first_number(own, WHIRL_FIELD_RUNUP_PLACE, k / 2, k % 2),
+                     first_number(other, WHIRL_FIELD_RUNUP_PLACE, k / 2, k % 2), 1e-11);
+    check_within("Spools", "three shafts: error of numbers", 0.0, first_number(other, WHIRL_FIELD_RUNUP_ERROR, 0, 0),
+                 1e-15);
+    whirl_result_free(own);
+    whirl_result_free(other);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(two_spools_against_another_program),
         cmocka_unit_test(two_spools_otherwise),
         cmocka_unit_test(two_spools_exchanged),
         cmocka_unit_test(a_law_that_is_a_ratio),
+        cmocka_unit_test(three_shafts),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
