@@ -92,11 +92,11 @@ typedef enum whirl_spool_law {
 
 /// The course of a shaft with a speed of its own. Speeds are along its rotation.
 typedef struct whirl_spool_course {
-    whirl_spool_law law;
-    double from, to; ///< rad/s: speed at the beginning, and at the end of the rate (0: none)
-    double rate;     ///< rad/s2, the size of the rate
-    double highest;  ///< rad/s, no higher speed occurs
-    size_t count;    ///< rows of its table
+    whirl_spool_law law; ///< what gives its speed
+    double from, to;     ///< rad/s: speed at the beginning, and at the end of the rate (0: none)
+    double rate;         ///< rad/s2, the size of the rate
+    double highest;      ///< rad/s, no higher speed occurs
+    size_t count;        ///< rows of its table
     double at[WHIRL_MAX_SPEEDS], speeds[WHIRL_MAX_SPEEDS]; ///< [count] s or rad/s of the rotor, rising; and rad/s
 } whirl_spool_course;
 
@@ -122,9 +122,9 @@ size_t whirl_run_course_next(const whirl_run_course *course, double time);
 
 /// The motion of a shaft with a speed of its own: what gives its speed now.
 typedef struct whirl_spool_turning {
-    whirl_spool_law law;
-    double rate;  ///< rad/s2, with a rate or a table over the time
-    bool tripped; ///< the motor of its drive is lost, its load is not
+    whirl_spool_law law; ///< what gives its speed
+    double rate;         ///< rad/s2, with a rate or a table over the time
+    bool tripped;        ///< the motor of its drive is lost, its load is not
 } whirl_spool_turning;
 
 /// The motion of the shaft: its rate or drive, and the events that have happened.

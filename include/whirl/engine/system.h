@@ -264,11 +264,11 @@ enum { WHIRL_MAX_SPOOLS = 3 };
 
 /// A shaft whose speed does not depend on the rotor's. Its speeds and torques are positive along its own rotation.
 typedef struct whirl_spool {
-    char name[WHIRL_NAME_SIZE];
-    double speed;       ///< rad/s, of machines at constant speeds
-    double sense;       ///< 1: it turns with the rotor, -1: against it
-    bool driven;        ///< it has a drive of its own
-    double drive_speed; ///< rad/s, of the motor of that drive without load; 0: there is no such speed
+    char name[WHIRL_NAME_SIZE]; ///< name of the shaft
+    double speed;               ///< rad/s, of machines at constant speeds
+    double sense;               ///< 1: it turns with the rotor, -1: against it
+    bool driven;                ///< it has a drive of its own
+    double drive_speed;         ///< rad/s, of the motor of that drive without load; 0: there is no such speed
 } whirl_spool;
 
 /// An unbalance that turns with the rotor.
