@@ -346,7 +346,7 @@ test('one point without a parameter has its modes and no diagram; what it rests 
   assert.match(await page.textContent('.rest .pane h3'), /Modes at rest/);
   assert.ok(await page.isHidden('.rest .map-main >> nth=0'));
   assert.match(await page.textContent('.rest .panel-shape .panel-note'), /^mode 1, /);
-  assert.match(await page.textContent('.rest .how'), /; rests against rub at wheel, which small motions leave/);
+  assert.match(await page.textContent('.rest .how'), /; rests against rub at wheel, which small motions do not open/);
   assert.deepEqual(complaints, []);
   await close();
 });
