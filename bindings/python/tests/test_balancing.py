@@ -452,7 +452,7 @@ GOOD = {
     "change, sentence",
     [
         ({}, r"trials: is missing, and there is no model, mode or coefficient$"),
-        ({"influence": "model"}, r"influence: is model, expected a model, too$"),
+        ({"influence": "model"}, r"influence: is model, expected the key model as well$"),
         ({"modes": [{"speed": 300.0}]}, r"modes\[1\]\.shape: is missing, and there is no model that would give it$"),
         ({"modes": [{"speed": 300.0, "shape": [1]}]}, r"shape: is a list, expected a list of 2 numbers, one for every"),
         ({"modes": [{"speed": 300.0, "shape": [1, "x"]}]}, r"shape\[2\]: is x, expected a plain number$"),
