@@ -226,29 +226,19 @@ static whirl_status resting_analyze(worker *w, size_t slot, const resting_machin
     const resting_place at = {w->run->study, w->batch, own->value};
     const whirl_machine *machine = &own->machine;
     whirl_resting point = resting_point_of(&at, machine);
-    const whirl_saving saving = long_point_begin(w, slot);
-    point.saving = &saving;
-    point.passed = long_point_passed;
-    point.watcher = &w->lasting.points[0];
     point.modes = own->modes;
     point.critical_count = w->count;
     point.critical = w->found;
     point.before = own->before;
     double *elsewhere = NULL;
-    // The motion of a run of a record in a data set is kept for the sensors.
-    whirl_run_motion motion;
-    whirl_status status = records_run_new(w->batch, machine, &motion);
-    if (motion.count > 0) point.motion = &motion;
-    if (status.code == WHIRL_OK && looks_elsewhere(w, machine))
+    whirl_status status = whirl_ok();
+    if (looks_elsewhere(w, machine))
         status = elsewhere_find(w->run->study, w->batch, w->table->values, slot, machine, &w->rests, &point.rest,
                                 &elsewhere, &point.elsewhere_growth);
     point.elsewhere = elsewhere;
     if (status.code == WHIRL_OK)
         status = whirl_analyze_resting(&point, &w->pass->record, w->batch->analyses, &w->table->layout,
                                        resting_block_of(w, slot));
-    if (status.code == WHIRL_OK)
-        status = records_note_run(w->batch, slot, machine, &motion, &w->table->layout, resting_block_of(w, slot));
-    records_run_free(&motion);
     free(elsewhere);
     return resting_complete(w, w->batch, slot, status, own, resting_block_of(w, slot));
 }
@@ -266,19 +256,21 @@ static whirl_status leave_unfound(const worker *w, const whirl_batch *batch, siz
     return noted;
 }
 
+/// Chooses the sample or the record whose machine a point has.
+static void resting_choose_sample(whirl_batch *batch, size_t slot) {
+    if (batch->tolerances.samples > 0) batch->sampled = 1 + (batch->row > 0 ? slot / batch->row : 0);
+    if (batch->dataset) batch->sampled = 1 + slot;
+}
+
 static whirl_status resting_compute(worker *w, size_t slot) {
     const double value = w->table->values[slot];
     resting_machine own = {.value = value};
-    long_points_begin(w);
-    if (w->own.tolerances.samples > 0) w->own.sampled = 1 + (w->own.row > 0 ? slot / w->own.row : 0);
-    if (w->own.dataset) w->own.sampled = 1 + slot;
+    resting_choose_sample(&w->own, slot);
     whirl_status status = w->has_modes ? resting_new(w->run->study, w->batch, value, &own)
                                        : w->run->study->machine(w->run->study->family, w->batch, value, &own.machine);
     if (status.code == WHIRL_OK && w->has_modes) status = resting_locate(w, slot, &own);
     if (status.code == WHIRL_OK) status = resting_analyze(w, slot, &own);
     if (status.code == WHIRL_NUMERICAL_FAILURE) status = leave_unfound(w, w->batch, slot, resting_block_of(w, slot));
-    const double share = w->lasting.count > 0 ? w->lasting.points[0].share : 0.0;
-    long_points_end(&w->lasting);
     if (!tracker_advance(&w->run->tracker, 0.0, 0)) { // a point computed after a stop is discarded
         resting_free(&own);
         return whirl_ok();
@@ -286,7 +278,7 @@ static whirl_status resting_compute(worker *w, size_t slot) {
     if (status.code == WHIRL_OK) status = resting_keep(w, slot, resting_block_of(w, slot));
     resting_free(&w->before);
     w->before = own;
-    if (status.code == WHIRL_OK) resting_finish(w, slot, share, false);
+    if (status.code == WHIRL_OK) resting_finish(w, slot, 0.0, false);
     return status;
 }
 
@@ -306,7 +298,7 @@ static whirl_status work_at(worker *w, size_t first, size_t end) {
     return status;
 }
 
-// ---------------------------------------------------------------- run-ups that are computed together
+// ---------------------------------------------------------------- run-ups
 
 /// A run-up among others.
 typedef struct run_point {
@@ -329,17 +321,9 @@ typedef struct run_points {
     whirl_status statuses[RUNS_TOGETHER];
 } run_points;
 
-/// Returns the set of the analysis of run-ups.
-static whirl_analysis_set runs_alone(void) {
-    whirl_analysis_set runs = 0;
-    whirl_analysis_add(&runs, "runup");
-    return runs;
-}
-
-/// Returns true if points are run-ups that vector lanes may carry: by dop853, without torques over time.
+/// Returns true if run-ups may be carried in vector lanes: by dop853, without torques over time.
 static bool runs_go_together(const worker *w) {
-    return (w->batch->analyses & runs_alone()) != 0 && !w->has_modes &&
-           strcmp(w->pass->record.runup.method, "dop853") == 0 &&
+    return strcmp(w->pass->record.runup.method, "dop853") == 0 &&
            !whirl_layout_field(&w->table->layout, WHIRL_FIELD_RUNUP_TORQUE_OF);
 }
 
@@ -368,8 +352,7 @@ static whirl_status run_point_begin(worker *w, run_points *all, size_t slot) {
     const size_t i = all->count++;
     run_point *p = &all->points[i];
     *p = (run_point){.slot = slot, .own = {.value = w->table->values[slot]}, .batch = w->own};
-    if (p->batch.tolerances.samples > 0) p->batch.sampled = 1 + (p->batch.row > 0 ? slot / p->batch.row : 0);
-    if (p->batch.dataset) p->batch.sampled = 1 + slot;
+    resting_choose_sample(&p->batch, slot);
     p->at = (resting_place){w->run->study, &p->batch, p->own.value};
     p->saving = long_point_begin(w, slot);
     if (!w->table->blocks) p->block = calloc(w->table->layout.size + 1, sizeof *p->block);
@@ -421,11 +404,13 @@ static whirl_status runs_compute(worker *w, const size_t *slots, size_t count) {
     return tracker_advance(&w->run->tracker, 0.0, 0) ? status : whirl_ok(); // a stop is no error
 }
 
-/// Takes this thread's share of the points that no thread has begun. Returns their number.
+/// Takes this thread's share of the points that no thread has begun, or one point if they are computed one after the
+/// other. Returns the number of points.
 static size_t runs_take(const worker *w, deal *pieces, size_t *slots) {
     size_t count = 0, piece;
     const size_t threads = (size_t)pieces->threads, fair = (deal_left(pieces) + threads - 1) / threads;
-    const size_t limit = records_run_limit(w->batch, w->run->result->station_count, RUNS_TOGETHER);
+    const size_t limit =
+        records_run_limit(w->batch, w->run->result->station_count, runs_go_together(w) ? RUNS_TOGETHER : 1);
     const size_t most = fair > limit ? limit : fair;
     while (count < most && deal_take(pieces, &piece)) slots[count++] = w->pass->slots ? w->pass->slots[piece] : piece;
     return count;
@@ -471,15 +456,14 @@ static whirl_status work_at_pieces(worker *w, deal *pieces, size_t size) {
 /// Returns the number of points of a piece. A run-up is a piece by itself: what its neighbours could provide saves
 /// little.
 static size_t resting_piece(const whirl_batch *batch) {
-    return (batch->analyses & runs_alone()) != 0 ? 1 : RESTING_PIECE;
+    return whirl_analysis_has(batch->analyses, "runup") ? 1 : RESTING_PIECE;
 }
 
 static whirl_status resting_work(study_run *run, const pass *p) {
     // All threads take pieces; neighbours stay together, since one starts from the equilibrium of the other.
     const size_t piece = resting_piece(&run->study->batches[p->batch]);
     deal pieces = deal_begin(run, p, (p->count + piece - 1) / piece);
-    whirl_analysis_set modes = 0;
-    whirl_analysis_add(&modes, "modes");
+    const bool runs = whirl_analysis_has(run->study->batches[p->batch].analyses, "runup");
 #pragma omp parallel num_threads(run->threads)
     {
         errno = 0;
@@ -490,13 +474,12 @@ static whirl_status resting_work(study_run *run, const pass *p) {
                     .thread = (size_t)omp_get_thread_num(),
                     .most = (size_t)p->record.modes + 1};
         w.batch = &w.own;
-        w.has_modes = (w.batch->analyses & modes) != 0;
+        w.has_modes = whirl_analysis_has(w.batch->analyses, "modes");
         w.found = calloc(w.most, sizeof *w.found);
         w.block = calloc(w.table->layout.size + 1, sizeof *w.block);
         whirl_status status =
             w.found && w.block ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for points at rest");
-        if (status.code == WHIRL_OK)
-            status = runs_go_together(&w) ? work_at_runs(&w, &pieces) : work_at_pieces(&w, &pieces, piece);
+        if (status.code == WHIRL_OK) status = runs ? work_at_runs(&w, &pieces) : work_at_pieces(&w, &pieces, piece);
         known_rests_free(&w.rests);
         free(w.found);
         free(w.block);
