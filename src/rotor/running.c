@@ -34,27 +34,13 @@ static double *running_numbers_at(const running_rotor *r, double w, const double
 /// Fits splines to the numbers that are not sums of powers, from y [SPLINE_SPEEDS][number_count]. Notes the largest
 /// error half way between nodes.
 static void running_fit_splines(running_rotor *r, const double *w, const double *y) {
-    const size_t numbers = r->rotor->lanes.number_count;
-    double *next = r->splines, lifted[SPLINE_SPEEDS];
-    for (size_t v = 0; v < r->varying_count; v++) {
-        number_of_speed *own = &r->varying[v];
-        double largest = 0.0;
-        if (!own->value) continue;
-        own->value = next;
-        own->curvature = next + SPLINE_NODES;
-        next += SPLINE_NUMBERS;
-        own->lift = running_spline_lift(w, y[own->index], y[numbers + own->index]);
-        for (size_t i = 0; i < SPLINE_SPEEDS; i++) {
-            lifted[i] = running_spline_grown(own->lift, w[i]) * y[i * numbers + own->index];
-            largest = fmax(largest, fabs(lifted[i]));
+    double *next = r->splines;
+    for (size_t v = 0; v < r->varying_count; v++)
+        if (r->varying[v].value) {
+            const double error = running_fit_spline(&r->varying[v], r->lowest_node, r->node_distance, w, y,
+                                                    r->rotor->lanes.number_count, 1.0, &next);
+            r->shown.error = fmax(r->shown.error, error);
         }
-        for (size_t i = 0; i < SPLINE_NODES; i++) own->value[i] = lifted[2 * i];
-        running_spline_bend(r->node_distance, own->value, own->curvature);
-        for (size_t i = 1; i < SPLINE_SPEEDS; i += 2)
-            r->shown.error =
-                fmax(r->shown.error,
-                     fabs(running_spline_at(own, r->lowest_node, r->node_distance, w[i]) - lifted[i]) / largest);
-    }
 }
 
 static whirl_status running_add_splines(running_rotor *r, whirl_machine_at *make, const void *context, size_t count) {
@@ -72,14 +58,12 @@ static whirl_status running_add_splines(running_rotor *r, whirl_machine_at *make
 }
 
 static whirl_status running_find_numbers(running_rotor *r, whirl_machine_at *make, const void *context) {
-    static const double share[POWER_SPEEDS] = {1.0, 0.91, 0.78, 0.65, 0.55, 0.42, 0.33, 0.24, 0.15, 0.08, 0.0};
-    const double low = fmax(r->lowest_node, 0.17); // lower speeds add nothing to the fit: sums of powers hold there too
     double w[POWER_SPEEDS];
     const size_t numbers = r->rotor->lanes.number_count;
     double *y = malloc((POWER_SPEEDS * numbers + 1) * sizeof *y);
     size_t splines = 0;
     // Compute the numbers of the machine at a few speeds.
-    for (size_t i = 0; i < POWER_SPEEDS; i++) w[i] = low + share[i] * (1.0 - low);
+    running_sample_speeds(r->lowest_node, 1.0, w);
     r->numbers = calloc(numbers + 1, sizeof *r->numbers);
     r->at = r->numbers ? r->numbers + numbers : NULL;
     r->varying = calloc(numbers + 1, sizeof *r->varying);

@@ -50,7 +50,9 @@ bool running_find_powers(size_t speeds, const double *w, const double *y, double
     return false;
 }
 
-void running_spline_bend(double h, const double *y, double *curvature) {
+/// Computes the second derivatives of the cubic spline through y [SPLINE_NODES] at equal distances h, with parabolas at
+/// its ends.
+static void running_spline_bend(double h, const double *y, double *curvature) {
     double diagonal[SPLINE_NODES], right[SPLINE_NODES];
     const size_t last = SPLINE_NODES - 1;
     for (size_t i = 1; i < last; i++) {
@@ -68,7 +70,8 @@ void running_spline_bend(double h, const double *y, double *curvature) {
     curvature[last] = curvature[last - 1];
 }
 
-double running_spline_at(const number_of_speed *of, double lowest, double distance, double w) {
+/// Returns the spline of a number, which is that of w^lift times the number, at a speed.
+static double running_spline_at(const number_of_speed *of, double lowest, double distance, double w) {
     const double place = (w - lowest) / distance;
     const double bounded = fmin(fmax(place, 0.0), SPLINE_NODES - 1.0);
     const size_t i = bounded >= SPLINE_NODES - 1 ? SPLINE_NODES - 2 : (size_t)bounded;
@@ -77,7 +80,8 @@ double running_spline_at(const number_of_speed *of, double lowest, double distan
            ((a * a * a - a) * of->curvature[i] + (b * b * b - b) * of->curvature[i + 1]) * h * h / 6.0;
 }
 
-double running_spline_grown(int lift, double w) {
+/// Returns w^lift.
+static double running_spline_grown(int lift, double w) {
     return lift == 0 ? 1.0 : lift == 1 ? w : w * w;
 }
 
@@ -91,7 +95,31 @@ double running_number_at(const number_of_speed *of, double lowest, double distan
 /// from the values at the two lowest speeds, w [2]: towards low speeds stiffnesses grow as 1/w^2, dampings as 1/w, and
 /// ratios do not grow. Below its first node a spline keeps its value, so that with another lift a number would vanish
 /// or grow without limit there.
-int running_spline_lift(const double *w, double lowest, double next) {
+static int running_spline_lift(const double *w, double lowest, double next) {
     const double growth = log(fabs(lowest / next)) / log(w[1] / w[0]);
     return growth > 1.5 ? 2 : growth > 0.5 ? 1 : 0; // 0 also where it is not a number
+}
+
+double running_fit_spline(number_of_speed *own, double lowest, double distance, const double *w, const double *y,
+                          size_t stride, double divisor, double **next) {
+    double lifted[SPLINE_SPEEDS], largest = 0.0, error = 0.0;
+    own->value = *next;
+    own->curvature = *next + SPLINE_NODES;
+    *next += SPLINE_NUMBERS;
+    own->lift = running_spline_lift(w, y[own->index], y[stride + own->index]);
+    for (size_t i = 0; i < SPLINE_SPEEDS; i++) {
+        lifted[i] = running_spline_grown(own->lift, w[i]) * y[i * stride + own->index] / divisor;
+        largest = fmax(largest, fabs(lifted[i]));
+    }
+    for (size_t i = 0; i < SPLINE_NODES; i++) own->value[i] = lifted[2 * i];
+    running_spline_bend(distance, own->value, own->curvature);
+    for (size_t i = 1; i < SPLINE_SPEEDS; i += 2)
+        error = fmax(error, fabs(running_spline_at(own, lowest, distance, w[i]) - lifted[i]) / largest);
+    return error;
+}
+
+void running_sample_speeds(double lowest, double highest, double *w) {
+    static const double share[POWER_SPEEDS] = {1.0, 0.91, 0.78, 0.65, 0.55, 0.42, 0.33, 0.24, 0.15, 0.08, 0.0};
+    const double low = fmax(lowest, 0.17 * highest);
+    for (size_t i = 0; i < POWER_SPEEDS; i++) w[i] = low + share[i] * (highest - low);
 }

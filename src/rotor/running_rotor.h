@@ -171,18 +171,15 @@ typedef struct running_rotor {
 /// Finds the fewest powers whose sum is y at all speeds w [count]. Returns false if there is no such sum.
 bool running_find_powers(size_t count, const double *w, const double *y, double power[POWERS]);
 
-/// Computes the second derivatives of the cubic spline through y [SPLINE_NODES] at equal distances h, with parabolas at
-/// its ends.
-void running_spline_bend(double h, const double *y, double *curvature);
+/// Chooses the speeds w [POWER_SPEEDS] at which machines are made, from `highest` down. Speeds below 0.17 of it add
+/// nothing to the fit, since sums of powers hold there, too.
+void running_sample_speeds(double lowest, double highest, double *w);
 
-/// Returns the power of the speed that makes a number finite at low speeds: 0, 1 or 2. w [2]: the lowest two speeds.
-int running_spline_lift(const double *w, double lowest, double next);
-
-/// Returns the spline of a number, which is that of w^lift times the number, at a speed.
-double running_spline_at(const number_of_speed *of, double lowest, double distance, double w);
-
-/// Returns w^lift.
-double running_spline_grown(int lift, double w);
+/// Fits the spline of a number from samples at the speeds w [SPLINE_SPEEDS], which are half the `distance` of nodes
+/// apart: y[i * stride + own->index] / divisor. *next is memory [SPLINE_NUMBERS] for it and moves behind it. Returns
+/// the largest error half way between nodes, divided by the largest value.
+double running_fit_spline(number_of_speed *own, double lowest, double distance, const double *w, const double *y,
+                          size_t stride, double divisor, double **next);
 
 /// Returns a number at a speed, over nodes of splines from `lowest` at distances `distance`.
 double running_number_at(const number_of_speed *of, double lowest, double distance, double w);

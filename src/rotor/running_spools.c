@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "elimination.h"
 #include "running_rotor.h"
 
 /// Speeds W at which a shaft is sampled beside that of the base; samples at other speeds of both shafts; index of the
@@ -190,14 +191,12 @@ static whirl_status spool_find(const spool_fit *f, size_t n, spool_number *out) 
 
 /// Makes the machine at the samples of shaft k, memory [SPOOL_SPEEDS + CROSSINGS][numbers].
 static whirl_status spool_sample(spool_fit *f, whirl_machine_at *make, const void *context, size_t k, double *memory) {
-    static const double share[SPOOL_SPEEDS] = {1.0, 0.91, 0.78, 0.65, 0.55, 0.42, 0.33, 0.24, 0.15, 0.08, 0.0};
     running_rotor *r = f->r;
-    const double high = r->spools[k].top, low = fmax(r->spools[k].lowest_node, 0.17 * high);
     double w[SPOOL_SPEEDS + CROSSINGS], spools[(SPOOL_SPEEDS + CROSSINGS) * WHIRL_MAX_SPOOLS];
     spool_samples *own = &f->of[k];
     own->at = memory;
     own->cross = memory + SPOOL_SPEEDS * f->numbers;
-    for (size_t j = 0; j < SPOOL_SPEEDS; j++) own->speed[j] = low + share[j] * (high - low);
+    running_sample_speeds(r->spools[k].lowest_node, r->spools[k].top, own->speed);
     for (size_t i = 0; i < SPOOL_SPEEDS + CROSSINGS; i++) {
         const bool crosses = i >= SPOOL_SPEEDS;
         w[i] = f->w[crosses ? crossing[i - SPOOL_SPEEDS][0] : AT_SPEED];
@@ -212,7 +211,7 @@ static whirl_status spool_add_splines(running_rotor *r, whirl_machine_at *make, 
                                       double **next) {
     const size_t numbers = r->rotor->lanes.number_count;
     running_spool *own = &r->spools[k];
-    double rotors[SPLINE_SPEEDS], at[SPLINE_SPEEDS], spools[SPLINE_SPEEDS * WHIRL_MAX_SPOOLS], lifted[SPLINE_SPEEDS];
+    double rotors[SPLINE_SPEEDS], at[SPLINE_SPEEDS], spools[SPLINE_SPEEDS * WHIRL_MAX_SPOOLS];
     double *y = malloc(SPLINE_SPEEDS * numbers * sizeof *y);
     if (!y) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine over its speeds");
     own->node_distance = (own->top - own->lowest_node) / (SPLINE_NODES - 1);
@@ -226,24 +225,10 @@ static whirl_status spool_add_splines(running_rotor *r, whirl_machine_at *make, 
     for (size_t v = 0; v < r->spooled_count && status.code == WHIRL_OK; v++) {
         spool_number *number = &r->spooled[v];
         number_of_speed *by = &number->by;
-        double largest = 0.0;
         if (!by->value || number->of[1] != k + 1) continue;
-        by->value = *next;
-        by->curvature = *next + SPLINE_NODES;
-        *next += SPLINE_NUMBERS;
-        const double grown = pow(w, number->lift);
-        by->lift = running_spline_lift(at, y[by->index], y[numbers + by->index]);
-        for (size_t i = 0; i < SPLINE_SPEEDS; i++) {
-            lifted[i] = pow(at[i], by->lift) * y[i * numbers + by->index] / grown;
-            largest = fmax(largest, fabs(lifted[i]));
-        }
-        for (size_t i = 0; i < SPLINE_NODES; i++) by->value[i] = lifted[2 * i];
-        running_spline_bend(own->node_distance, by->value, by->curvature);
-        for (size_t i = 1; i < SPLINE_SPEEDS; i += 2) {
-            const double found =
-                pow(at[i], by->lift) * running_number_at(by, own->lowest_node, own->node_distance, at[i]);
-            r->shown.error = fmax(r->shown.error, fabs(found - lifted[i]) / largest);
-        }
+        const double error =
+            running_fit_spline(by, own->lowest_node, own->node_distance, at, y, numbers, pow(w, number->lift), next);
+        r->shown.error = fmax(r->shown.error, error);
         number->highest = running_number_at(by, own->lowest_node, own->node_distance, own->highest);
     }
     free(y);
@@ -450,18 +435,10 @@ void running_solve_shafts(const running_rotor *r, double w, const double *a, con
                 if (!rows[j].driven) *number += coupled[i][j] * rows[j].by_first;
         }
     }
-    // The matrix is that of a kinetic energy: elimination needs no exchange of rows.
-    for (size_t m = 0; m < unknowns; m++)
-        for (size_t i = m + 1; i < unknowns; i++) {
-            const double share = matrix[i * unknowns + m] / matrix[m * unknowns + m];
-            for (size_t l = m; l < unknowns; l++) matrix[i * unknowns + l] -= share * matrix[m * unknowns + l];
-            right[i] -= share * right[m];
-        }
-    for (size_t m = unknowns; m-- > 0;) {
-        for (size_t l = m + 1; l < unknowns; l++) right[m] -= matrix[m * unknowns + l] * right[l];
-        right[m] /= matrix[m * unknowns + m];
-    }
-    for (size_t m = 0; m < unknowns; m++) rows[unknown[m]].all = right[m];
+    size_t order[SHAFTS];
+    const bool solved = elimination_decompose(unknowns, matrix, order);
+    if (solved) elimination_solve(unknowns, matrix, order, right);
+    for (size_t m = 0; m < unknowns; m++) rows[unknown[m]].all = solved ? right[m] : (double)NAN;
     for (size_t j = 1; j < count; j++)
         if (!rows[j].driven) rows[j].all += rows[j].by_first * rows[0].all;
 }
