@@ -117,8 +117,9 @@ typedef struct whirl_run_course {
     double (*value)(void *owner, whirl_run_formula formula);
 } whirl_run_course;
 
-/// Returns the index of the first row of the table of speeds after a time, s, or the number of rows if there is none.
-size_t whirl_run_course_next(const whirl_run_course *course, double time);
+/// Returns the index of the first row after a time, s, in a table of a course with times [count] that rise, or `count`
+/// if there is none.
+size_t whirl_run_row_after(size_t count, const double *times, double time);
 
 /// The motion of a shaft with a speed of its own: what gives its speed now.
 typedef struct whirl_spool_turning {

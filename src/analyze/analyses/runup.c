@@ -104,6 +104,10 @@ static size_t runup_with_copy(const block_shape *shape) {
     return runup_wants_copy(&shape->options->runup, shape->contact_count) ? 1 : 0;
 }
 
+/// Names of the columns for four orders: of both axes, and of both circular parts.
+#define OF_AXES "x1, y1, x2, y2, x3, y3, x4, y4"
+#define OF_CIRCLES "forward1, backward1, forward2, backward2, forward3, backward3, forward4, backward4"
+
 static const field_plan fields[FIELD_COUNT] = {
     [END] =
         {WHIRL_FIELD_RUNUP_END, "1",
@@ -148,16 +152,14 @@ static const field_plan fields[FIELD_COUNT] = {
                 WHIRL_PER_STATION, 1, runup_every_row},
     [CENTRE] = {WHIRL_FIELD_RUNUP_CENTRE, "length", "x, y (mean over the turn, from the centre)", WHIRL_PER_STATION, 2,
                 runup_every_row},
-    [AMPLITUDE] =
-        {WHIRL_FIELD_RUNUP_AMPLITUDE, "length",
-         "x1, y1, x2, y2, x3, y3, x4, y4 (0-p amplitudes of x and y at 1 to 4 times the speed, over the turn)",
-         WHIRL_PER_STATION, ORDER_COLUMNS, runup_every_row},
-    [LAG] = {WHIRL_FIELD_RUNUP_LAG, "deg",
-             "x1, y1, x2, y2, x3, y3, x4, y4 (angles by which these peaks come after the mark)", WHIRL_PER_STATION,
-             ORDER_COLUMNS, runup_every_row},
+    [AMPLITUDE] = {WHIRL_FIELD_RUNUP_AMPLITUDE, "length",
+                   OF_AXES " (0-p amplitudes of x and y at 1 to 4 times the speed, over the turn)", WHIRL_PER_STATION,
+                   ORDER_COLUMNS, runup_every_row},
+    [LAG] = {WHIRL_FIELD_RUNUP_LAG, "deg", OF_AXES " (angles by which these peaks come after the mark)",
+             WHIRL_PER_STATION, ORDER_COLUMNS, runup_every_row},
     [WHIRL] = {WHIRL_FIELD_RUNUP_WHIRL_AMPLITUDE, "length",
-               "forward1, backward1, forward2, backward2, forward3, backward3, forward4, backward4 (0-p amplitudes of "
-               "the circular parts of these motions, with and against the rotation)",
+               OF_CIRCLES " (0-p amplitudes of "
+                          "the circular parts of these motions, with and against the rotation)",
                WHIRL_PER_STATION, ORDER_COLUMNS, runup_every_row},
     [PLACE] = {WHIRL_FIELD_RUNUP_PLACE, "length", "x, y (at the end of the run, from the centre)", WHIRL_PER_STATION, 2,
                NULL},
@@ -207,29 +209,30 @@ static const field_plan fields[FIELD_COUNT] = {
          WHIRL_PER_POINT, 2, runup_every_shaft},
     [SHAFT_TIME] =
         {WHIRL_FIELD_RUNUP_SHAFT_TIME, "s",
-         "of the row: the middle of the last turn of that shaft in it (missing where none ended; all rows of "
-         "the first shaft, then of the next)",
+         "time of the row: the middle of the last turn of a shaft with a speed of its own in the row (missing where "
+         "none ended; all rows of the first shaft, then of the next)",
          WHIRL_PER_POINT, 1, runup_every_shaft_and_row},
-    [SHAFT_SPEED] = {WHIRL_FIELD_RUNUP_SHAFT_SPEED, "rad/s", "of that shaft, over that turn", WHIRL_PER_POINT, 1,
+    [SHAFT_SPEED] = {WHIRL_FIELD_RUNUP_SHAFT_SPEED, "rad/s", "speed of that shaft over that turn", WHIRL_PER_POINT, 1,
                      runup_every_shaft_and_row},
-    [SHAFT_TURNS] = {WHIRL_FIELD_RUNUP_SHAFT_TURNS, "1", "of that shaft since the beginning, at its end",
-                     WHIRL_PER_POINT, 1, runup_every_shaft_and_row},
-    [SHAFT_TORQUE] = {WHIRL_FIELD_RUNUP_SHAFT_TORQUE, "N m",
-                      "motor, load, friction, rotor, drag (on that shaft at its end, along its rotation; missing where "
-                      "a law gives its speed)",
-                      WHIRL_PER_POINT, TORQUE_COLUMNS, runup_every_shaft_and_row},
+    [SHAFT_TURNS] = {WHIRL_FIELD_RUNUP_SHAFT_TURNS, "1",
+                     "turns of that shaft since the beginning, at the end of that turn", WHIRL_PER_POINT, 1,
+                     runup_every_shaft_and_row},
+    [SHAFT_TORQUE] =
+        {WHIRL_FIELD_RUNUP_SHAFT_TORQUE, "N m",
+         "motor, load, friction, rotor, drag (on that shaft at the end of that turn, along its rotation; missing where "
+         "a law gives its speed)",
+         WHIRL_PER_POINT, TORQUE_COLUMNS, runup_every_shaft_and_row},
     [SHAFT_AMPLITUDE] = {WHIRL_FIELD_RUNUP_SHAFT_AMPLITUDE, "length",
-                         "x1, y1, x2, y2, x3, y3, x4, y4 (0-p amplitudes of x and y at 1 to 4 times the speed of that "
-                         "shaft, over that turn)",
+                         OF_AXES " (0-p amplitudes of x and y at 1 to 4 times the speed of that "
+                                 "shaft, over that turn)",
                          WHIRL_PER_STATION, ORDER_COLUMNS, runup_every_shaft_and_row},
     [SHAFT_LAG] = {WHIRL_FIELD_RUNUP_SHAFT_LAG, "deg",
-                   "x1, y1, x2, y2, x3, y3, x4, y4 (by which these peaks come after that shaft's mark)",
-                   WHIRL_PER_STATION, ORDER_COLUMNS, runup_every_shaft_and_row},
-    [SHAFT_WHIRL] =
-        {WHIRL_FIELD_RUNUP_SHAFT_WHIRL, "length",
-         "forward1, backward1, forward2, backward2, forward3, backward3, forward4, backward4 (0-p amplitudes "
-         "of the circular parts of these motions, with and against the rotation of that shaft)",
-         WHIRL_PER_STATION, ORDER_COLUMNS, runup_every_shaft_and_row},
+                   OF_AXES " (angles by which these peaks come after that shaft's mark)", WHIRL_PER_STATION,
+                   ORDER_COLUMNS, runup_every_shaft_and_row},
+    [SHAFT_WHIRL] = {WHIRL_FIELD_RUNUP_SHAFT_WHIRL, "length",
+                     OF_CIRCLES " (0-p amplitudes "
+                                "of the circular parts of these motions, with and against the rotation of that shaft)",
+                     WHIRL_PER_STATION, ORDER_COLUMNS, runup_every_shaft_and_row},
     [SPECTRUM_TIME] = {WHIRL_FIELD_RUNUP_SPECTRUM_TIME, "s",
                        "time of the spectrum: the middle of its turns (missing before that many turns)",
                        WHIRL_PER_POINT, 1, runup_every_spectrum},
@@ -308,39 +311,36 @@ static double *runup_at_row(const filling *f, size_t field, size_t which, size_t
     return view_numbers(f->view, field, which) + f->row * columns;
 }
 
-static void runup_fill_station(const filling *f, const runup_turn *turn, size_t probe) {
-    const runup_station *own = &turn->stations[probe];
-    double *amplitude = runup_at_row(f, AMPLITUDE, probe, ORDER_COLUMNS),
-           *lag = runup_at_row(f, LAG, probe, ORDER_COLUMNS);
-    double *whirl = runup_at_row(f, WHIRL, probe, ORDER_COLUMNS), *centre = runup_at_row(f, CENTRE, probe, 2);
-    memcpy(centre, own->mean, sizeof own->mean);
+/// Fields of the amplitudes, lags and whirls of the orders of a shaft.
+typedef enum order_field { ORDER_AMPLITUDE, ORDER_LAG, ORDER_WHIRL, ORDER_FIELDS } order_field;
+
+/// Fills in the orders of a station over a turn, at a row of these fields. clockwise: forward whirl of the shaft goes
+/// round from y to x.
+static void runup_fill_orders(const filling *f, const runup_station *own, size_t probe, double radius, bool clockwise,
+                              const size_t fields_of[ORDER_FIELDS], size_t row) {
+    double *out[ORDER_FIELDS];
+    for (size_t i = 0; i < ORDER_FIELDS; i++) out[i] = view_numbers(f->view, fields_of[i], probe) + row * ORDER_COLUMNS;
     for (size_t k = 0; k < RUNUP_ORDERS; k++) {
-        const whirl_synchronous part = synchronous_of(own->x[k], own->y[k], own->radius);
-        const bool clockwise = f->way < 0.0; // a forward whirl goes round from y to x then
+        const whirl_synchronous part = synchronous_of(own->x[k], own->y[k], radius);
         for (size_t i = 0; i < 2; i++) {
-            amplitude[2 * k + i] = part.amplitude[i];
-            lag[2 * k + i] = part.lag[i];
-            whirl[2 * k + i] = part.amplitude[clockwise ? 3 - i : 2 + i];
+            out[ORDER_AMPLITUDE][2 * k + i] = part.amplitude[i];
+            out[ORDER_LAG][2 * k + i] = part.lag[i];
+            out[ORDER_WHIRL][2 * k + i] = part.amplitude[clockwise ? 3 - i : 2 + i];
         }
     }
 }
 
-/// Fills in the motion of a station over a turn of a shaft with a speed of its own. at: row in the fields of all
-/// shafts.
-static void runup_fill_spool_station(const filling *f, const runup_spool_turn *turn, size_t probe, size_t at) {
+static void runup_fill_station(const filling *f, const runup_turn *turn, size_t probe) {
+    static const size_t orders[] = {AMPLITUDE, LAG, WHIRL};
     const runup_station *own = &turn->stations[probe];
-    const bool clockwise = f->way * f->system->spools[turn->spool].sense < 0.0;
-    double *amplitude = view_numbers(f->view, SHAFT_AMPLITUDE, probe) + at * ORDER_COLUMNS;
-    double *lag = view_numbers(f->view, SHAFT_LAG, probe) + at * ORDER_COLUMNS;
-    double *whirl = view_numbers(f->view, SHAFT_WHIRL, probe) + at * ORDER_COLUMNS;
-    for (size_t k = 0; k < RUNUP_ORDERS; k++) {
-        const whirl_synchronous part = synchronous_of(own->x[k], own->y[k], f->radius[probe]);
-        for (size_t i = 0; i < 2; i++) {
-            amplitude[2 * k + i] = part.amplitude[i];
-            lag[2 * k + i] = part.lag[i];
-            whirl[2 * k + i] = part.amplitude[clockwise ? 3 - i : 2 + i];
-        }
-    }
+    memcpy(runup_at_row(f, CENTRE, probe, 2), own->mean, sizeof own->mean);
+    runup_fill_orders(f, own, probe, own->radius, f->way < 0.0, orders, f->row);
+}
+
+/// Fills in the torques on a shaft at a row of a field.
+static void runup_fill_torque_row(const filling *f, size_t field, size_t row, const whirl_torques *of) {
+    const double torque[TORQUE_COLUMNS] = {of->motor, of->load, of->friction, of->rotor, of->drag};
+    memcpy(view_numbers(f->view, field, 0) + row * TORQUE_COLUMNS, torque, sizeof torque);
 }
 
 static size_t runup_row_at(const filling *f, double time) {
@@ -387,26 +387,22 @@ static void runup_fill_row(void *context, const runup_turn *turn) {
     *runup_at_row(f, TIME, 0, 1) = turn->time;
     *runup_at_row(f, SPEED, 0, 1) = turn->speed;
     *runup_at_row(f, TURNS, 0, 1) = turn->turns;
-    double *torque = runup_at_row(f, TORQUE, 0, TORQUE_COLUMNS);
-    torque[0] = turn->torques.motor;
-    torque[1] = turn->torques.load;
-    torque[2] = turn->torques.friction;
-    torque[3] = turn->torques.rotor;
-    torque[4] = turn->torques.drag;
+    runup_fill_torque_row(f, TORQUE, f->row, &turn->torques);
     if (f->point->passed) f->point->passed(f->point->watcher, turn->end, fmin(turn->end / f->duration, 1.0));
 }
 
 static void runup_fill_spool_row(void *context, const runup_spool_turn *turn) {
+    static const size_t orders[] = {SHAFT_AMPLITUDE, SHAFT_LAG, SHAFT_WHIRL};
     const filling *f = context;
     const size_t at = turn->spool * f->rows + runup_row_at(f, turn->end);
+    const bool clockwise = f->way * f->system->spools[turn->spool].sense < 0.0;
     if (!view_numbers(f->view, SHAFT_TIME, 0)) return;
-    for (size_t p = 0; p < f->system->probe_count; p++) runup_fill_spool_station(f, turn, p, at);
+    for (size_t p = 0; p < f->system->probe_count; p++)
+        runup_fill_orders(f, &turn->stations[p], p, f->radius[p], clockwise, orders, at);
     view_numbers(f->view, SHAFT_TIME, 0)[at] = turn->time;
     view_numbers(f->view, SHAFT_SPEED, 0)[at] = turn->speed;
     view_numbers(f->view, SHAFT_TURNS, 0)[at] = turn->turns;
-    const double torque[TORQUE_COLUMNS] = {turn->torques.motor, turn->torques.load, turn->torques.friction,
-                                           turn->torques.rotor, turn->torques.drag};
-    memcpy(view_numbers(f->view, SHAFT_TORQUE, 0) + at * TORQUE_COLUMNS, torque, sizeof torque);
+    runup_fill_torque_row(f, SHAFT_TORQUE, at, &turn->torques);
 }
 
 // ---------------------------------------------------------------- runs that are saved

@@ -306,15 +306,15 @@ static void runup_compare_copy(runner *r) {
     runup_place_copy(r, apart > 0.0 ? wanted / apart : 0.0);
 }
 
-/// Fills in the weight of a sample in means, and its factors in orders. The weight is the share of the sample in a
-/// turn, in a part whose samples are `length` apart; the factors are 2 exp(-i k angle).
-static void runup_fill_weights(runup_weights *of, size_t k, size_t count, double length, double angle) {
+/// Fills in the weight of a sample in means, and its factors in orders, 2 exp(-i k angle). share: of the sample in a
+/// turn.
+static void runup_fill_weights(runup_weights *of, double share, double angle) {
     const double complex turn = cexp(-I * angle);
     double complex turned = 2.0;
-    of[k].share = runup_weight(k, count) * length / two_pi;
+    of->share = share;
     for (size_t order = 0; order < RUNUP_ORDERS; order++) {
         turned *= turn;
-        of[k].turned[order] = turned;
+        of->turned[order] = turned;
     }
 }
 
@@ -327,7 +327,19 @@ static void runup_find_weights(runner *r, double passed, double step, size_t cou
         const double *sample = runup_sample(r, k);
         const double length = step * (r->by_time ? sample[r->rotor] : 1.0);
         const double angle = passed + (r->by_time ? sample[r->rotor + 2] - r->samples[r->rotor + 2] : (double)k * step);
-        runup_fill_weights(r->weights, k, count, length, angle);
+        runup_fill_weights(&r->weights[k], runup_weight(k, count) * length / two_pi, angle);
+    }
+}
+
+/// Adds sample k of a part to the means and orders of station p.
+static void runup_add_sample(const runner *r, size_t k, size_t p, const runup_weights *of, runup_station *to) {
+    const double x = of->share * runup_value(r, runup_sample(r, k), p, 0);
+    const double y = of->share * runup_value(r, runup_sample(r, k), p, 1);
+    to->mean[0] += x;
+    to->mean[1] += y;
+    for (size_t order = 0; order < RUNUP_ORDERS; order++) {
+        to->x[order] += of->turned[order] * x;
+        to->y[order] += of->turned[order] * y;
     }
 }
 
@@ -335,43 +347,21 @@ static void runup_find_weights(runner *r, double passed, double step, size_t cou
 /// sample within the turn.
 static void runup_add_orders(runner *r, double passed, double step, size_t count) {
     runup_find_weights(r, passed, step, count);
-    for (size_t p = 0; p < r->probes; p++) {
-        runup_station *own = &r->stations[p];
-        for (size_t k = 0; k <= count; k++) {
-            const runup_weights *of = &r->weights[k];
-            const double x = of->share * runup_value(r, runup_sample(r, k), p, 0);
-            const double y = of->share * runup_value(r, runup_sample(r, k), p, 1);
-            own->mean[0] += x;
-            own->mean[1] += y;
-            for (size_t order = 0; order < RUNUP_ORDERS; order++) {
-                own->x[order] += of->turned[order] * x;
-                own->y[order] += of->turned[order] * y;
-            }
-        }
-    }
+    for (size_t p = 0; p < r->probes; p++)
+        for (size_t k = 0; k <= count; k++) runup_add_sample(r, k, p, &r->weights[k], &r->stations[p]);
 }
 
 /// Adds a part to the means and orders of the shafts with a speed of their own, over their angles.
 static void runup_add_spool_orders(runner *r, double step, size_t count) {
-    for (size_t spool = 0; spool < r->spools; spool++) {
-        runup_station *stations = r->spool_stations + spool * r->probes;
+    for (size_t spool = 0; spool < r->spools; spool++)
         for (size_t k = 0; k <= count; k++) {
             const double *sample = runup_sample(r, k);
             const double passed = step * runup_spool_speed(r, sample, spool) / r->unit;
-            runup_weights of[1];
-            runup_fill_weights(of, 0, count, passed, runup_spool_angle(r, sample, spool));
-            of->share = runup_weight(k, count) * passed / two_pi;
-            for (size_t p = 0; p < r->probes; p++) {
-                const double x = of->share * runup_value(r, sample, p, 0), y = of->share * runup_value(r, sample, p, 1);
-                stations[p].mean[0] += x;
-                stations[p].mean[1] += y;
-                for (size_t order = 0; order < RUNUP_ORDERS; order++) {
-                    stations[p].x[order] += of->turned[order] * x;
-                    stations[p].y[order] += of->turned[order] * y;
-                }
-            }
+            runup_weights of;
+            runup_fill_weights(&of, runup_weight(k, count) * passed / two_pi, runup_spool_angle(r, sample, spool));
+            for (size_t p = 0; p < r->probes; p++)
+                runup_add_sample(r, k, p, &of, &r->spool_stations[spool * r->probes + p]);
         }
-    }
 }
 
 // ---------------------------------------------------------------- torques
@@ -665,13 +655,14 @@ static double runup_spool_turn_end(const runner *r, size_t spool) {
     return two_pi * (r->spool_turns[spool] + 1.0);
 }
 
-/// Returns the index of the first row after a time in the table of shaft k, or the number of rows.
+/// Returns the time of the run, s, with a margin by which a corner of a table counts as reached.
+static double runup_corner_time(const runner *r) {
+    return runup_time_of(r, r->x) * (1.0 + 1e-12);
+}
+
 static size_t runup_spool_corner(const runner *r, size_t spool) {
     const whirl_spool_course *own = &r->plan->course->spools[spool];
-    const double time = runup_time_of(r, r->x) * (1.0 + 1e-12);
-    size_t row = 0;
-    while (row < own->count && own->at[row] <= time) row++;
-    return row;
+    return whirl_run_row_after(own->count, own->at, runup_corner_time(r));
 }
 
 /// Lists what may happen to the shafts with a speed of their own.
@@ -689,14 +680,15 @@ static size_t runup_list_spools(const runner *r, coming *list) {
     return count;
 }
 
-size_t whirl_run_course_next(const whirl_run_course *course, double time) {
+size_t whirl_run_row_after(size_t count, const double *times, double time) {
     size_t k = 0;
-    while (k < course->speed_count && course->speed_times[k] <= time) k++;
+    while (k < count && times[k] <= time) k++;
     return k;
 }
 
 static size_t runup_next_corner(const runner *r) {
-    return whirl_run_course_next(r->plan->course, runup_time_of(r, r->x) * (1.0 + 1e-12));
+    const whirl_run_course *course = r->plan->course;
+    return whirl_run_row_after(course->speed_count, course->speed_times, runup_corner_time(r));
 }
 
 /// Lists everything that may happen in the present state of the run.
@@ -727,33 +719,29 @@ static bool runup_passes(const coming *what, double before, double after) {
            (what->passing <= 0 && before > what->target && after <= what->target);
 }
 
-/// Sets the rates of shafts with a speed of their own that follow a table over the time, as runup_follow_table does.
-static void runup_follow_spools(runner *r) {
-    for (size_t k = 0; k < r->spools; k++) {
-        if (r->how.spools[k].law != WHIRL_SPOOL_BY_TIME) continue;
-        const whirl_spool_course *own = &r->plan->course->spools[k];
-        const size_t next = runup_spool_corner(r, k), last = next - 1; // a table begins at time 0
-        const double time = runup_time_of(r, r->x);
-        double *speed = &r->x[r->spool_state + 2 * k + 1];
-        if (time - own->at[last] <= 2e-12 * time) *speed = own->speeds[last] / r->unit;
-        if (r->copy) r->copy[r->spool_state + 2 * k + 1] = *speed;
-        r->how.spools[k].rate =
-            next == own->count ? 0.0 : (own->speeds[next] - own->speeds[last]) / (own->at[next] - own->at[last]);
-    }
+/// Returns the rate of a table of speeds before row `next`, the first one after the present time. At a corner the speed
+/// x[at] becomes that of the table.
+static double runup_follow_rows(runner *r, size_t count, const double *times, const double *speeds, size_t next,
+                                size_t at) {
+    const size_t last = next - 1; // a table begins at time 0
+    const double time = runup_time_of(r, r->x);
+    if (time - times[last] <= 2e-12 * time) r->x[at] = speeds[last] / r->unit;
+    if (r->copy) r->copy[at] = r->x[at];
+    return next == count ? 0.0 : (speeds[next] - speeds[last]) / (times[next] - times[last]);
 }
 
-/// Sets the rate of the speed table from the present time on; at a corner the speed is that of the table.
-static void runup_follow_table(runner *r) {
+/// Sets the rates of the shafts whose speeds follow tables over the time, from the present time on.
+static void runup_follow_tables(runner *r) {
     const whirl_run_course *course = r->plan->course;
-    runup_follow_spools(r);
+    for (size_t k = 0; k < r->spools; k++) {
+        if (r->how.spools[k].law != WHIRL_SPOOL_BY_TIME) continue;
+        const whirl_spool_course *own = &course->spools[k];
+        r->how.spools[k].rate = runup_follow_rows(r, own->count, own->at, own->speeds, runup_spool_corner(r, k),
+                                                  r->spool_state + 2 * k + 1);
+    }
     if (!course || course->speed_count == 0) return;
-    const size_t next = runup_next_corner(r), last = next - 1; // a table begins at time 0
-    const double time = runup_time_of(r, r->x);
-    if (time - course->speed_times[last] <= 2e-12 * time) r->x[r->rotor] = course->speeds[last] / r->unit;
-    if (r->copy) r->copy[r->rotor] = r->x[r->rotor];
-    r->how.rate = next == course->speed_count ? 0.0
-                                              : (course->speeds[next] - course->speeds[last]) /
-                                                    (course->speed_times[next] - course->speed_times[last]);
+    r->how.rate =
+        runup_follow_rows(r, course->speed_count, course->speed_times, course->speeds, runup_next_corner(r), r->rotor);
 }
 
 /// Makes the integrators of a machine.
@@ -825,7 +813,7 @@ static bool runup_happen(runner *r, int what) {
     } else if (what >= EVENT_FIRST) {
         ends = runup_let_happen(r, (size_t)(what - EVENT_FIRST));
     }
-    runup_follow_table(r);
+    runup_follow_tables(r);
     runup_set_turning(r, &r->how);
     return ends || what == EVENT_END;
 }
@@ -1475,7 +1463,7 @@ void runup_open(runner *r, whirl_running *running, const runup_plan *plan, runup
         r->x[r->rotor + 2] = r->angle0;
     else
         running->to_angle(running, r->x);
-    runup_follow_table(r);
+    runup_follow_tables(r);
     runup_set_turning(r, &r->how);
     if (r->spools > 0) r->machine->follow(r->machine, r->x);
     // Continue from a saved state.

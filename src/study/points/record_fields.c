@@ -144,7 +144,7 @@ void records_run_free(whirl_run_motion *motion) {
 
 /// Returns the speed that the table of a run gives at a time, s, and its rate there.
 static double records_speed_at(const whirl_run_course *course, double time, double *rate) {
-    const size_t k = whirl_run_course_next(course, time); // a table begins at time 0
+    const size_t k = whirl_run_row_after(course->speed_count, course->speed_times, time); // a table begins at time 0
     *rate = 0.0;
     if (k == course->speed_count) return course->speeds[k - 1];
     *rate = (course->speeds[k] - course->speeds[k - 1]) / (course->speed_times[k] - course->speed_times[k - 1]);
