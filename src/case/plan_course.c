@@ -354,10 +354,19 @@ static void course_read_events(case_reader *reader, const file_node *where, cons
 }
 
 /// Finds the shafts with a speed of their own.
-static void course_find_shafts(const machine_parts *machine, course_parts *course) {
-    for (size_t i = 0; i < machine->shafts.count && course->shaft_count < WHIRL_MAX_SPOOLS; i++)
-        if (settings_find(&machine->shafts.items[i], "speed"))
-            course->shafts[course->shaft_count++] = (course_shaft){.name = machine->shafts.names[i]};
+static void course_find_shafts(case_reader *reader, const machine_parts *machine, course_parts *course) {
+    size_t letters = 0;
+    for (size_t i = 0; i < machine->shafts.count && course->shaft_count < WHIRL_MAX_SPOOLS; i++) {
+        const setting *speed = settings_find(&machine->shafts.items[i], "speed");
+        if (!speed) continue;
+        course->shafts[course->shaft_count++] = (course_shaft){.name = machine->shafts.names[i]};
+        letters += strlen(machine->shafts.names[i]) + 1; // results store the names in one text
+        if (letters > WHIRL_NAME_SIZE)
+            problem_at(reader->problems, speed->place,
+                       "is given, and the names of shafts with a speed of their own have %zu letters in all, expected "
+                       "at most %zu",
+                       letters - course->shaft_count, WHIRL_NAME_SIZE - course->shaft_count);
+    }
 }
 
 /// Returns true if a drive turns a shaft.
@@ -438,7 +447,7 @@ const course_parts *course_read(case_reader *reader, const machine_parts *machin
     char text[WHIRL_NAME_SIZE];
     const setting *shafts = settings_find(keys, "shafts");
     course_parts found = {.event_count = 0};
-    course_find_shafts(machine, &found);
+    course_find_shafts(reader, machine, &found);
     bool any = change || events || speeds || shafts || found.shaft_count > 0;
     for (size_t i = 0; i < sizeof laws / sizeof *laws; i++) any = any || settings_find(keys, laws[i]);
     if (!any) return NULL;
@@ -620,6 +629,16 @@ static void course_make_event(valuation *v, const course_event *own, size_t stat
     out->lost = (whirl_placed){own->station, course_number(v, own, "loss_moment"), isnan(angle) ? 0.0 : angle};
 }
 
+/// Evaluates the rows of a table: times [count], or speeds of the rotor, and values [count].
+static whirl_status course_make_rows(const course_table *from, valuation *v, double *times, double *values) {
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < from->count && status.code == WHIRL_OK; i++) {
+        status = valuation_number(v, &from->rows[i].time, &times[i]);
+        if (status.code == WHIRL_OK) status = valuation_number(v, &from->rows[i].value, &values[i]);
+    }
+    return status;
+}
+
 /// Evaluates a law's table.
 static whirl_status course_make_table(const course_table *from, const char *key, valuation *v, course_run *run,
                                       size_t law) {
@@ -629,24 +648,19 @@ static whirl_status course_make_table(const course_table *from, const char *key,
     out->time = malloc(2 * from->count * sizeof *out->time);
     if (!out->time) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a table of %zu rows", from->count);
     out->value = out->time + from->count;
-    for (size_t i = 0; i < from->count && status.code == WHIRL_OK; i++) {
-        status = valuation_number(v, &from->rows[i].time, &out->time[i]);
-        if (status.code == WHIRL_OK) status = valuation_number(v, &from->rows[i].value, &out->value[i]);
-        if (status.code == WHIRL_OK && i > 0 && !(out->time[i] > out->time[i - 1]))
+    status = course_make_rows(from, v, out->time, out->value);
+    for (size_t i = 1; i < from->count && status.code == WHIRL_OK; i++)
+        if (!(out->time[i] > out->time[i - 1]))
             status = whirl_fail(WHIRL_BAD_INPUT, "%s has %.6g s after a later time, expected times that rise", key,
                                 out->time[i]);
-    }
     out->count = from->count;
     run->shown.has[law] = true;
     return status;
 }
 
 static whirl_status course_make_speeds(const course_parts *parts, valuation *v, whirl_run_course *out) {
-    whirl_status status = whirl_ok();
+    const whirl_status status = course_make_rows(&parts->speeds, v, out->speed_times, out->speeds);
     for (size_t i = 0; i < parts->speeds.count && status.code == WHIRL_OK; i++) {
-        status = valuation_number(v, &parts->speeds.rows[i].time, &out->speed_times[i]);
-        if (status.code == WHIRL_OK) status = valuation_number(v, &parts->speeds.rows[i].value, &out->speeds[i]);
-        if (status.code != WHIRL_OK) break;
         if (i == 0 ? out->speed_times[i] != 0.0 : !(out->speed_times[i] > out->speed_times[i - 1]))
             return whirl_fail(WHIRL_BAD_INPUT,
                               i == 0 ? "the speeds of the run begin at %.6g s, expected 0"
@@ -663,12 +677,9 @@ static whirl_status course_make_speeds(const course_parts *parts, valuation *v, 
 
 /// Evaluates the table of a shaft.
 static whirl_status course_make_shaft_table(const course_shaft *from, valuation *v, whirl_spool_course *out) {
-    whirl_status status = whirl_ok();
+    const whirl_status status = course_make_rows(&from->speeds, v, out->at, out->speeds);
     out->count = from->speeds.count;
     for (size_t i = 0; i < out->count && status.code == WHIRL_OK; i++) {
-        status = valuation_number(v, &from->speeds.rows[i].time, &out->at[i]);
-        if (status.code == WHIRL_OK) status = valuation_number(v, &from->speeds.rows[i].value, &out->speeds[i]);
-        if (status.code != WHIRL_OK) return status;
         if (i == 0 && !from->by_rotor && out->at[0] != 0.0)
             return whirl_fail(WHIRL_BAD_INPUT, "the speeds of shaft '%s' begin at %.6g s, expected 0", from->name,
                               out->at[0]);

@@ -111,6 +111,9 @@ const whirl_member *whirl_runup_members(void);
 /// rate.
 bool whirl_runup_driven(const whirl_runup_options *options);
 
+/// Writes the name of a shaft with a speed of its own, by its index from 0 to before shaft_count.
+void whirl_runup_shaft_name(const whirl_runup_options *options, size_t index, char name[WHIRL_NAME_SIZE]);
+
 /// Returns the length of the run in s, as planned.
 double whirl_runup_duration(const whirl_runup_options *options);
 

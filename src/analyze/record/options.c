@@ -1,6 +1,7 @@
 // Descriptors of the recording options, and values that follow from them.
 #include <limits.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "member_table.h"
@@ -349,6 +350,12 @@ double whirl_runup_duration(const whirl_runup_options *options) {
 
 /// Maximum number of values of a station in one window of a run, in all its spectra, or in its orbits and waveforms.
 static const double MAX_RUNUP_NUMBERS = 4e6;
+
+void whirl_runup_shaft_name(const whirl_runup_options *options, size_t index, char name[WHIRL_NAME_SIZE]) {
+    const char *at = options->shafts;
+    for (; index > 0 && *at; index--) at += strcspn(at, " ") + (at[strcspn(at, " ")] == ' ');
+    snprintf(name, WHIRL_NAME_SIZE, "%.*s", (int)strcspn(at, " "), at);
+}
 
 bool whirl_runup_driven(const whirl_runup_options *o) {
     return o->rate == 0.0 && !*o->speeds && !*o->rate_law;

@@ -94,19 +94,6 @@ static course runup_course_of_shaft(const drawing *of, const whirl_table *table,
     return c;
 }
 
-/// Returns the number of shafts with a speed of their own, and their names. `memory` keeps these.
-static size_t runup_shafts_of(const whirl_table *table, char memory[WHIRL_NAME_SIZE],
-                              const char *names[WHIRL_MAX_SPOOLS]) {
-    size_t count = 0;
-    snprintf(memory, WHIRL_NAME_SIZE, "%s", table->record.runup.shafts);
-    for (char *at = memory; *at && count < WHIRL_MAX_SPOOLS;) {
-        names[count++] = at;
-        at += strcspn(at, " ");
-        if (*at) *at++ = '\0';
-    }
-    return count;
-}
-
 static whirl_panel *runup_length_panel(const drawing *of, whirl_figure *figure, const char *name,
                                        whirl_counting counting, const char *quantity, bool by_speed, double height) {
     whirl_panel *panel = figure_panel(figure, name, 1.0, height);
@@ -193,10 +180,8 @@ static void runup_describe_orders(const drawing *of, const figure_place *place, 
 static void runup_describe_shafts(const drawing *of, const figure_place *place, whirl_figure *figure) {
     size_t runs[MAX_RUNS];
     const whirl_table *table = place->table;
-    char memory[WHIRL_NAME_SIZE];
-    const char *names[WHIRL_MAX_SPOOLS];
     runup_list_runs(table, runs);
-    const size_t shafts = runup_shafts_of(table, memory, names), s = place->station;
+    const size_t shafts = (size_t)table->record.runup.shaft_count, s = place->station;
     const double size = units_length(of->units, table, runs[0], WHIRL_AMPLITUDE);
     whirl_panel *amplitude =
         runup_length_panel(of, figure, "amplitude", WHIRL_AMPLITUDE, "amplitude of $x$", true, 4.5);
@@ -207,8 +192,9 @@ static void runup_describe_shafts(const drawing *of, const figure_place *place, 
     for (size_t shaft = 0; shaft <= shafts; shaft++) {
         const course c = shaft == 0 ? runup_course_of(of, table, runs[0], true)
                                     : runup_course_of_shaft(of, table, runs[0], shaft, true);
-        char label[2 * WHIRL_NAME_SIZE];
-        snprintf(label, sizeof label, "1X of %s", shaft == 0 ? "the rotor" : names[shaft - 1]);
+        char name[WHIRL_NAME_SIZE] = "the rotor", label[2 * WHIRL_NAME_SIZE];
+        if (shaft > 0) whirl_runup_shaft_name(&table->record.runup, shaft - 1, name);
+        snprintf(label, sizeof label, "1X of %s", name);
         runup_add_line(figure, panel_named(figure, amplitude, WHIRL_LINE, label, line_colour(shaft), 0.9), &c,
                        shaft == 0 ? WHIRL_FIELD_RUNUP_AMPLITUDE : WHIRL_FIELD_RUNUP_SHAFT_AMPLITUDE, s, 0, size);
         runup_add_line(figure, panel_series(figure, lag, WHIRL_LINE, line_colour(shaft), 0.8), &c,
@@ -251,13 +237,13 @@ static void runup_describe_shaft(const drawing *of, const figure_place *place, w
                        &c, WHIRL_FIELD_RUNUP_SPEED, 0, 0, 1.0 / speed->size);
     }
     // For a single run, draw the speeds of the other shafts.
-    char memory[WHIRL_NAME_SIZE];
-    const char *shaft_names[WHIRL_MAX_SPOOLS];
-    const size_t shafts = count == 1 ? runup_shafts_of(table, memory, shaft_names) : 0;
+    const size_t shafts = count == 1 ? (size_t)table->record.runup.shaft_count : 0;
     for (size_t shaft = 1; shaft <= shafts; shaft++) {
+        char name[WHIRL_NAME_SIZE];
+        whirl_runup_shaft_name(&table->record.runup, shaft - 1, name);
         const course c = runup_course_of_shaft(of, table, runs[0], shaft, false);
-        runup_add_line(figure, panel_named(figure, panel, WHIRL_LINE, shaft_names[shaft - 1], line_colour(shaft), 1.0),
-                       &c, WHIRL_FIELD_RUNUP_SHAFT_SPEED, 0, 0, 1.0 / speed->size);
+        runup_add_line(figure, panel_named(figure, panel, WHIRL_LINE, name, line_colour(shaft), 1.0), &c,
+                       WHIRL_FIELD_RUNUP_SHAFT_SPEED, 0, 0, 1.0 / speed->size);
     }
     // For a single driven run, draw the torques, unless they change within a turn: then they have a figure of their
     // own.

@@ -106,13 +106,6 @@ static void runup_find_runs(const finder *of) {
     find_sheet_end(of);
 }
 
-/// Returns the name with an index, from 0, in a list of names separated by blanks.
-static const char *runup_shaft_name(const finder *of, size_t index) {
-    const char *at = of->table->record.runup.shafts;
-    for (; index > 0 && *at; index--) at += strcspn(at, " ") + (at[strcspn(at, " ")] == ' ');
-    return find_text(of->findings, "%.*s", (int)strcspn(at, " "), at);
-}
-
 /// Adds the sheet of shafts with a speed of their own: where they end, and the largest motions at their speeds.
 static void runup_find_shafts(const finder *of) {
     const whirl_field *shafts = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_SHAFT_END);
@@ -136,6 +129,7 @@ static void runup_find_shafts(const finder *of) {
             const double *end = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_SHAFT_END, 0);
             const double *speeds = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_SHAFT_SPEED, 0);
             double largest = NAN, at = NAN;
+            char name[WHIRL_NAME_SIZE];
             size_t which = 0;
             if (!end || isnan(end[2 * k])) continue;
             for (size_t station = 0; station < of->result->station_count; station++) {
@@ -151,7 +145,8 @@ static void runup_find_shafts(const finder *of) {
             }
             sheet_row(of, sheet);
             cell_value(of, sheet, point);
-            cell_text(of, sheet, runup_shaft_name(of, k));
+            whirl_runup_shaft_name(&of->table->record.runup, k, name);
+            cell_text(of, sheet, find_text(of->findings, "%s", name));
             cell_number(of, sheet, end[2 * k]);
             cell_number(of, sheet, end[2 * k + 1]);
             cell_text(of, sheet, isnan(largest) ? "" : of->result->stations[which].name);
