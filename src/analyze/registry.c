@@ -6,14 +6,9 @@
 /// Cost of finding an orbit or a torus by Newton's method from a neighbouring one.
 #define FOUND_COST 10.0
 
-static const whirl_kind motion = {.name = "motion",
-                                  .asked = "Written in the list `analyze: [...]`.",
-                                  .method = NULL,
-                                  .remark = "",
-                                  .moves = true,
-                                  .settles = true};
-static const whirl_kind present = {
-    .name = "motion", .asked = "Part of every result.", .method = NULL, .remark = "", .moves = true, .settles = true};
+#define MOTION .name = "motion", .method = NULL, .remark = "", .moves = true, .settles = true
+static const whirl_kind motion = {MOTION, .asked = "Written in the list `analyze: [...]`."};
+static const whirl_kind present = {MOTION, .asked = "Part of every result."};
 
 #define AT_REST .name = "rest", .asked = "A study of its own, in place of sweep or response.", .remark = "", .cost = 1.0
 #define ABOUT_REST AT_REST, .method = "linear, about rest", .place = "about where the machine rests"

@@ -42,20 +42,37 @@ static bool band_is_new(band_list *to, const whirl_spread_at *at) {
     return true;
 }
 
+/// Begins the band of a place in the table's blocks over a parameter.
+static void band_begin(band_list *to, const whirl_spread_at *at, const char *parameter) {
+    fputs(to->first ? ",\"bands\":[" : ",", to->stream);
+    to->first = false;
+    script_text_member(to->stream, '{', "parameter", parameter);
+    script_text_member(to->stream, ',', "field", at->field->name);
+    fprintf(to->stream, ",\"which\":%zu,\"column\":%zu,\"samples\":%d", at->which, at->index,
+            to->table->tolerances.samples);
+    script_key(to->stream, ',', "places");
+    fputc('[', to->stream);
+}
+
+/// Writes the quantiles at a value of the parameter, plus `shift`.
+static void band_write_place(const band_list *to, size_t place, double value, const whirl_spread *spread,
+                             double shift) {
+    fputs(place > 0 ? ",[" : "[", to->stream);
+    script_number(to->stream, value);
+    for (size_t q = 0; q < WHIRL_QUANTILES; q++) {
+        fputc(',', to->stream);
+        script_number(to->stream, spread->quantiles[q].value + shift);
+    }
+    fputc(']', to->stream);
+}
+
 static void band_write(band_list *to, const whirl_spread_of *of) {
     whirl_spread_at at;
     if (!whirl_spread_place(to->result, to->table, of, &at) || at.field->rows != 1 || !band_is_new(to, &at)) return;
     const size_t places = whirl_table_places(to->table);
     const double period = whirl_spread_period(&at);
     double before = NAN; // the previous median; an angle is unwrapped to within half a period of it
-    fputs(to->first ? ",\"bands\":[" : ",", to->stream);
-    to->first = false;
-    script_text_member(to->stream, '{', "parameter", to->table->parameter);
-    script_text_member(to->stream, ',', "field", at.field->name);
-    fprintf(to->stream, ",\"which\":%zu,\"column\":%zu,\"samples\":%d", at.which, at.index,
-            to->table->tolerances.samples);
-    script_key(to->stream, ',', "places");
-    fputc('[', to->stream);
+    band_begin(to, &at, to->table->parameter);
     for (size_t place = 0; place < places; place++) {
         whirl_spread spread = {.samples = 0};
         to->well = whirl_table_spread(to->result, to->table, of, place, 0, &spread).code == WHIRL_OK && to->well;
@@ -63,13 +80,7 @@ static void band_write(band_list *to, const whirl_spread_of *of) {
         const double turns = period > 0.0 ? rint((before - middle) / period) : 0.0;
         const double shift = isfinite(turns) ? period * turns : 0.0;
         if (isfinite(middle)) before = middle + shift;
-        fputs(place > 0 ? ",[" : "[", to->stream);
-        script_number(to->stream, to->table->values[place]);
-        for (size_t q = 0; q < WHIRL_QUANTILES; q++) {
-            fputc(',', to->stream);
-            script_number(to->stream, spread.quantiles[q].value + shift);
-        }
-        fputc(']', to->stream);
+        band_write_place(to, place, to->table->values[place], &spread, shift);
     }
     fputs("]}", to->stream);
 }
@@ -86,26 +97,13 @@ static void band_write_rows(band_list *to, whirl_spread_of *of) {
     whirl_spread_of time = {.field = WHIRL_FIELD_RUNUP_TIME, .above = -INFINITY, .below = INFINITY};
     of->row = 0;
     if (!whirl_spread_place(to->result, to->table, of, &at) || at.field->rows < 2) return;
-    fputs(to->first ? ",\"bands\":[" : ",", to->stream);
-    to->first = false;
-    script_text_member(to->stream, '{', "parameter", "time");
-    script_text_member(to->stream, ',', "field", at.field->name);
-    fprintf(to->stream, ",\"which\":%zu,\"column\":%zu,\"samples\":%d", at.which, at.index,
-            to->table->tolerances.samples);
-    script_key(to->stream, ',', "places");
-    fputc('[', to->stream);
+    band_begin(to, &at, "time");
     for (size_t row = 0; row < at.field->rows; row++) {
         whirl_spread spread = {.samples = 0}, times = {.samples = 0};
         of->row = time.row = row;
         to->well = whirl_table_spread(to->result, to->table, of, 0, 0, &spread).code == WHIRL_OK && to->well;
         to->well = whirl_table_spread(to->result, to->table, &time, 0, 0, &times).code == WHIRL_OK && to->well;
-        fputs(row > 0 ? ",[" : "[", to->stream);
-        script_number(to->stream, times.quantiles[WHIRL_QUANTILES / 2].value);
-        for (size_t q = 0; q < WHIRL_QUANTILES; q++) {
-            fputc(',', to->stream);
-            script_number(to->stream, spread.quantiles[q].value);
-        }
-        fputc(']', to->stream);
+        band_write_place(to, row, times.quantiles[WHIRL_QUANTILES / 2].value, &spread, 0.0);
     }
     fputs("]}", to->stream);
 }
