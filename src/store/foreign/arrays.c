@@ -23,18 +23,13 @@ struct arrays_file {
 // ---------------------------------------------------------------- opening
 
 bool arrays_is_file(const char *path) {
-    static const unsigned char signature[8] = {0x89, 'H', 'D', 'F', '\r', '\n', 0x1a, '\n'};
     byte_file *file = malloc(sizeof *file);
-    bool found = false;
+    uint64_t at;
     if (!file || bytes_open(file, path).code != WHIRL_OK) {
         free(file);
         return false;
     }
-    unsigned char head[8];
-    for (uint64_t at = 0; !found && at <= 4096 && file->source.size >= 8 && at <= file->source.size - 8;
-         at = at > 0 ? 2 * at : 512)
-        found = file->source.read(file->source.context, at, head, sizeof head) == 0 &&
-                memcmp(head, signature, sizeof head) == 0;
+    const bool found = foreign_find_superblock(&file->source, 4096, &at) == 0 && at < file->source.size;
     bytes_close(file);
     free(file);
     return found;
@@ -336,12 +331,17 @@ static whirl_status arrays_missing(arrays_file *file, const char *name) {
     return status;
 }
 
-/// Opens a dataset; the object is to be freed in any case.
-static whirl_status arrays_dataset(arrays_file *file, const char *name, foreign_object *object) {
+/// Reads any object, which is to be freed in any case. Returns false if there is none of that name, or after a failure,
+/// which stays in file->foreign.status.
+static bool arrays_object(arrays_file *file, const char *name, foreign_object *object) {
     uint64_t address;
     *object = (foreign_object){0};
-    const bool found = arrays_address(&file->foreign, name, &address);
-    if (found) foreign_object_read(&file->foreign, address, object);
+    return arrays_address(&file->foreign, name, &address) && foreign_object_read(&file->foreign, address, object);
+}
+
+/// Opens a dataset; the object is to be freed in any case.
+static whirl_status arrays_dataset(arrays_file *file, const char *name, foreign_object *object) {
+    const bool found = arrays_object(file, name, object);
     const whirl_status status = arrays_end(file, NULL);
     if (status.code != WHIRL_OK) return status;
     if (!found) return arrays_missing(file, name);
@@ -382,37 +382,20 @@ whirl_status arrays_read(arrays_file *file, const char *name, const size_t *firs
 
 // ---------------------------------------------------------------- attributes of objects and files
 
-/// Opens any object; the object is to be freed in any case.
-static whirl_status arrays_object(arrays_file *file, const char *name, foreign_object *object) {
-    uint64_t address;
-    *object = (foreign_object){0};
-    const bool found = arrays_address(&file->foreign, name, &address);
-    if (found) foreign_object_read(&file->foreign, address, object);
-    return arrays_end(file, name);
-}
-
 whirl_status arrays_text(arrays_file *file, const char *object, const char *attribute, char *text, size_t size) {
     foreign_object own;
     *text = '\0';
-    whirl_status status = arrays_object(file, object, &own);
-    if (status.code == WHIRL_OK) {
-        attribute_text(&file->foreign, &own, attribute, text, size);
-        status = arrays_end(file, object);
-    }
+    if (arrays_object(file, object, &own)) attribute_text(&file->foreign, &own, attribute, text, size);
     foreign_object_free(&own);
-    return status;
+    return arrays_end(file, object);
 }
 
 whirl_status arrays_number(arrays_file *file, const char *object, const char *attribute, double *out) {
     foreign_object own;
     *out = NAN;
-    whirl_status status = arrays_object(file, object, &own);
-    if (status.code == WHIRL_OK) {
-        *out = attribute_number(&file->foreign, &own, attribute);
-        status = arrays_end(file, object);
-    }
+    if (arrays_object(file, object, &own)) *out = attribute_number(&file->foreign, &own, attribute);
     foreign_object_free(&own);
-    return status;
+    return arrays_end(file, object);
 }
 
 bool arrays_is_foreign(const char *path) {

@@ -34,7 +34,11 @@ bool foreign_fail(foreign_file *file, const char *format, ...) __attribute__((fo
 /// Notes that memory ran out; returns false.
 bool foreign_no_memory(foreign_file *file);
 
-/// Finds the superblock (II.A). Returns false after a failure.
+/// Finds the address *at of a superblock: 0, or behind a block of the user's of 512, 1024, ... up to `most` bytes; the
+/// size of the source if there is none. Returns 0, or the errno of a read.
+int foreign_find_superblock(const byte_source *source, uint64_t most, uint64_t *at);
+
+/// Opens a file at its superblock (II.A). Returns false after a failure.
 bool foreign_open(foreign_file *file, const byte_source *source);
 
 /// Returns true if these bytes lie in the file.

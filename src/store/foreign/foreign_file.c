@@ -54,22 +54,26 @@ unsigned char *foreign_block(foreign_file *file, uint64_t address, uint64_t size
     return NULL;
 }
 
-bool foreign_open(foreign_file *file, const byte_source *source) {
-    static const unsigned char signature[8] = {0x89, 'H', 'D', 'F', '\r', '\n', 0x1a, '\n'};
-    enum { MAX_SIZE = 104 };
-    unsigned char bytes[MAX_SIZE] = {0};
-    bool found = false;
-    *file = (foreign_file){.source = source, .visits = FOREIGN_MAX_VISITS};
-    // The superblock is at 0, or after a block of the user's of 512, 1024, ... bytes.
-    for (uint64_t at = 0; !found && at < source->size && source->size - at >= 48 && at <= 1 << 24;
-         at = at > 0 ? 2 * at : 512) {
-        const size_t length = source->size - at < MAX_SIZE ? (size_t)(source->size - at) : MAX_SIZE;
-        file->base = 0;
-        if (!foreign_read(file, at, bytes, length)) return false;
-        found = memcmp(bytes, signature, sizeof signature) == 0;
-        file->base = at;
+int foreign_find_superblock(const byte_source *source, uint64_t most, uint64_t *at) {
+    unsigned char head[sizeof h5_signature];
+    for (*at = 0; *at <= most && *at < source->size && source->size - *at >= sizeof head;
+         *at = *at > 0 ? 2 * *at : 512) {
+        const int reason = source->read(source->context, *at, head, sizeof head);
+        if (reason || memcmp(head, h5_signature, sizeof head) == 0) return reason;
     }
-    if (!found) return foreign_fail(file, "is no HDF5 file");
+    *at = source->size;
+    return 0;
+}
+
+bool foreign_open(foreign_file *file, const byte_source *source) {
+    enum { MIN_SIZE = 48, MAX_SIZE = 104 };
+    unsigned char bytes[MAX_SIZE] = {0};
+    *file = (foreign_file){.source = source, .visits = FOREIGN_MAX_VISITS};
+    const int reason = foreign_find_superblock(source, 1 << 24, &file->base);
+    const uint64_t left = source->size - file->base;
+    if (reason) file->status = whirl_fail(WHIRL_IO_ERROR, "cannot be read: %s", strerror(reason));
+    if (reason == 0 && left < MIN_SIZE) return foreign_fail(file, "is no HDF5 file");
+    if (!foreign_read(file, 0, bytes, left < MAX_SIZE ? (size_t)left : MAX_SIZE)) return false;
     const unsigned version = bytes[8];
     plain_part part = {bytes, sizeof bytes, false};
     plain_skip(&part, version < 2 ? 13 : 9);

@@ -94,12 +94,12 @@ whirl_status h5_finish(h5_bytes *bytes, hid_t file) {
 /// Accepts only the format that whirl writes, and only a file of full length. HDF5 itself looks for its signature at
 /// several places, and reads formats without checksums.
 static whirl_status check_superblock(const byte_source *source) {
-    static const unsigned char signature[8] = {0x89, 'H', 'D', 'F', '\r', '\n', 0x1a, '\n'};
     unsigned char bytes[SUPERBLOCK_SIZE];
     if (source->size < SUPERBLOCK_SIZE) return whirl_fail(WHIRL_BAD_INPUT, "is not an HDF5 file");
     const int reason = source->read(source->context, 0, bytes, sizeof bytes);
     if (reason) return whirl_fail(WHIRL_IO_ERROR, "%s", strerror(reason));
-    if (memcmp(bytes, signature, sizeof signature) != 0) return whirl_fail(WHIRL_BAD_INPUT, "is not an HDF5 file");
+    if (memcmp(bytes, h5_signature, sizeof h5_signature) != 0)
+        return whirl_fail(WHIRL_BAD_INPUT, "is not an HDF5 file");
     if (bytes[SUPERBLOCK_VERSION] != 3 || bytes[SUPERBLOCK_OFFSET_SIZE] != 8)
         return whirl_fail(WHIRL_BAD_INPUT, "is an HDF5 file, but not one that whirl wrote");
     plain_part end = {bytes + SUPERBLOCK_END_OF_FILE, 8, false};

@@ -11,6 +11,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/// The bytes with which a superblock begins (HDF5 File Format Specification 3.0, II.A).
+static const unsigned char h5_signature[8] = {0x89, 'H', 'D', 'F', '\r', '\n', 0x1a, '\n'};
+
 // ---------------------------------------------------------------- h5driver
 // A driver through which HDF5 reads and writes its file.
 //
