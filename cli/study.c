@@ -158,7 +158,7 @@ static int deliver(const study_arguments *arguments, const whirl_result *result,
     whirl_result *from_file = NULL;
     if (saved == EXIT_DONE && arguments->output && whirl_result_records(result)) {
         saved = load_result(arguments->output, &from_file);
-        if (from_file) saved = write_record_files(from_file, arguments->output, arguments->force || arguments->resume);
+        if (from_file) saved = write_record_files(from_file, arguments->output);
     }
     const int shown = saved == EXIT_DONE ? show(arguments, from_file ? from_file : result) : saved;
     whirl_result_free(from_file);

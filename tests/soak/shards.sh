@@ -70,7 +70,7 @@ runs=0 round=0
 while [ $done_kills -lt "$kills" ] || [ $runs -lt ${#kinds[@]} ]; do
     name=${kinds[$((runs % ${#kinds[@]}))]}
     refine=$([ $name = refined ] && echo --refine=1e5)
-    rm -f result.h5*
+    rm -f result.h5* result-records.csv result-datasheet.md
     for again in 1 2 3; do
         round=$((round + 1))
         resume=$(compgen -G 'result.h5.journal*' >/dev/null && echo --resume || echo --force)
@@ -82,7 +82,7 @@ while [ $done_kills -lt "$kills" ] || [ $runs -lt ${#kinds[@]} ]; do
         fi
     done
     resume=--resume
-    if ! compgen -G 'result.h5.journal*' >/dev/null; then resume=--force; rm -f result.h5; fi
+    if ! compgen -G 'result.h5.journal*' >/dev/null; then resume=--force; rm -f result.h5 result-*; fi
     count=$((1 + RANDOM % 8))
     compute 0 $count
     "$whirl" merge $name.yaml -q $refine -o result.h5 >log 2>&1 || fail "$name in $count shards: $(cat log)"

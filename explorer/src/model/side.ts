@@ -136,19 +136,18 @@ export class SideModel {
       this.stored = false;
       this.outdated = this.bad;
     } else if (outcome.why !== 'stale') {
-      this.trouble = outcome.message;
       this.outdated = true;
-      void this.speak(wish);
+      void this.explain(wish, outcome.message);
     }
     this.listener.changed();
   }
 
-  /// Gets the message of a failed request again from the engine with the value in the shown unit, since the request was
-  /// in SI.
-  private async speak({ request, of, spoken }: Wish): Promise<void> {
+  /// Shows why a request failed. The request was in SI, so the engine is asked for a message with the value in the shown
+  /// unit; `message` is shown if it has none.
+  private async explain({ request, of, spoken }: Wish, message: string): Promise<void> {
     const answer = spoken ? await this.describeAt(request.setting, spoken, 'speak') : undefined;
-    if (!answer || answer.ok || answer.why === 'stale' || of !== this.choice) return;
-    this.trouble = answer.message;
+    if (of !== this.choice) return;
+    this.trouble = !answer || answer.ok || answer.why === 'stale' ? message : answer.message;
     this.listener.changed();
   }
 
