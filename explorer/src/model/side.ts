@@ -142,8 +142,8 @@ export class SideModel {
     this.listener.changed();
   }
 
-  /// Shows why a request failed. The request was in SI, so the engine is asked for a message with the value in the shown
-  /// unit; `message` is shown if it has none.
+  /// Shows why a request failed. The request was in SI, so the engine is asked for a message with the value in the
+  /// shown unit; `message` is shown if it has none.
   private async explain({ request, of, spoken }: Wish, message: string): Promise<void> {
     const answer = spoken ? await this.describeAt(request.setting, spoken, 'speak') : undefined;
     if (of !== this.choice) return;
