@@ -383,11 +383,90 @@ static void forces_and_gaps(void **state) {
     whirl_result_free(result);
 }
 
+/// Returns the derivative of numbers at equal distances, of the order 4, at index k with two neighbours on either side.
+static double slope_of(const double *at, size_t k, double step) {
+    return (8.0 * (at[k + 1] - at[k - 1]) - (at[k + 2] - at[k - 2])) / (12.0 * step);
+}
+
+/// Within a turn of a rub that a motor drives: torques of motor and load are those of their laws at the speed of the
+/// instant, friction is the radius times its share of the force, and all torques together accelerate the inertia.
+static void torques_within_a_turn(void **state) {
+    enum { SAMPLES = 256, ORBITS = 40 };
+    static const double turn = 6.283185307179586, inertia = 3.0, radius = 0.7, friction = 0.05;
+    (void)state;
+    char study[SIZE / 4];
+    snprintf(study, sizeof study, "duration: 100 s, samples: %d, orbits: %d", SAMPLES, ORBITS);
+    whirl_result *result = run_disc("  length_scale: 0.5 m\n", 0.1,
+                                    "    - rub: {at: disc, gap: 0.12 m, stiffness: 3 N/m, friction: 0.05, law: paper, "
+                                    "radius: 0.7 m}\n"
+                                    "    - gravity: 0.2 m/s2\n"
+                                    "    - drive: {inertia: 3 kg.m2, torque: 0.2 N.m, no_load_speed: 2 rad/s, "
+                                    "load_quadratic: 0.01 N.m.s2}\n",
+                                    study);
+    const double *instants = numbers(result, WHIRL_FIELD_RUNUP_ORBIT_INSTANT);
+    const double *torques = numbers(result, WHIRL_FIELD_RUNUP_ORBIT_TORQUE);
+    const double *forces = numbers(result, WHIRL_FIELD_RUNUP_ORBIT_FORCE);
+    const double *gaps = numbers(result, WHIRL_FIELD_RUNUP_ORBIT_GAP);
+    const double *orbits = numbers(result, WHIRL_FIELD_RUNUP_ORBIT);
+    double miss[5] = {0.0}, largest = 0.0, varies = 0.0;
+    size_t turns = 0, closed = 0;
+    for (size_t orbit = 0; orbit < ORBITS; orbit++) {
+        const size_t first = orbit * SAMPLES;
+        double speed[SAMPLES], least = INFINITY, most = -INFINITY;
+        // The first turn, from standstill, has samples too far apart for differences.
+        if (isnan(instants[first]) || numbers(result, WHIRL_FIELD_RUNUP_ORBIT_SPEED)[orbit] < 0.5) continue;
+        turns++;
+        for (size_t k = 2; k + 2 < SAMPLES; k++) speed[k] = 1.0 / slope_of(instants + first, k, turn / SAMPLES);
+        for (size_t k = 4; k + 4 < SAMPLES; k++) {
+            const double *own = torques + 5 * (first + k), force = forces[first + k];
+            const double *at = orbits + 2 * (first + k);
+            const double acceleration = speed[k] * slope_of(speed, k, turn / SAMPLES);
+            const bool smooth = (gaps[first + k - 4] > 0.0) == (gaps[first + k + 4] > 0.0);
+            closed += force > 0.0;
+            largest = fmax(largest, fabs(own[2]));
+            least = fmin(least, own[3]), most = fmax(most, own[3]);
+            miss[0] = fmax(miss[0], fabs(own[0] - 0.2 * (1.0 - speed[k] / 2.0)));
+            miss[1] = fmax(miss[1], fabs(own[1] + 0.01 * speed[k] * speed[k]));
+            miss[2] = fmax(miss[2], fabs(own[2] + radius * friction * force));
+            miss[3] = fmax(miss[3], fabs(0.5 * hypot(at[0], at[1]) + 0.5 * gaps[first + k] - 0.12));
+            if (smooth)
+                miss[4] = fmax(miss[4], fabs(own[0] + own[1] + own[2] + own[3] + own[4] - inertia * acceleration));
+        }
+        varies = fmax(varies, most - least);
+    }
+    check_holds("Run-up", "turns within which torques are compared", turns > 10 && closed > SAMPLES);
+    check_holds("Run-up", "torques change within a turn", varies > 0.01 && largest > 1e-3);
+    check_within("Run-up", "torque of the motor within a turn, off its law", 0.0, miss[0], 1e-7);
+    check_within("Run-up", "torque of the load within a turn, off its law", 0.0, miss[1], 1e-7);
+    check_within("Run-up", "torque of friction within a turn, off its force", 0.0, miss[2], 1e-12);
+    check_within("Run-up", "gap within a turn, off the orbit", 0.0, miss[3], 1e-12);
+    check_within("Run-up", "torques within a turn, off inertia times acceleration", 0.0, miss[4], 1e-6);
+    // The figure shows the numbers of the turn nearest to a time.
+    size_t nearest = 0;
+    const double *times = numbers(result, WHIRL_FIELD_RUNUP_ORBIT_TIME);
+    for (size_t k = 0; k < ORBITS; k++)
+        if (isfinite(times[k]) && !(fabs(times[nearest] - 60.0) <= fabs(times[k] - 60.0))) nearest = k;
+    whirl_figure *figure = figure_of(result, "runup-turn-disc@60 s");
+    assert_int_equal(figure->count, 5);
+    assert_string_equal(figure->panels[4]->name, "torque");
+    check_within("Run-up", "figure of a turn: motion, m", 0.5 * orbits[2 * (nearest * SAMPLES + 100)],
+                 figure->panels[1]->series[0]->y[100], 1e-12);
+    check_within("Run-up", "figure of a turn: torque of the motor", torques[5 * (nearest * SAMPLES + 100)],
+                 figure->panels[4]->series[0]->y[100], 1e-12);
+    whirl_figure_free(figure);
+    require_ok(whirl_figure_new(result, "runup-turn-disc", NULL, &figure));
+    whirl_figure_free(figure);
+    assert_int_equal(whirl_figure_new(result, "runup-turn-disc@101 s", NULL, &figure).code, WHIRL_BAD_INPUT);
+    assert_int_equal(whirl_figure_new(result, "runup-turn-fan@60 s", NULL, &figure).code, WHIRL_BAD_INPUT);
+    assert_int_equal(whirl_figure_new(result, "runup-turn-disc@60 m", NULL, &figure).code, WHIRL_BAD_INPUT);
+    whirl_result_free(result);
+}
+
 /// A run-up over the time shows the same orbits, waveforms and spectra as one over the angle.
 static void by_time_and_by_angle(void **state) {
     static const char drive[] = "    - drive: {inertia: 2000 kg.m2, torque: 40 N.m, no_load_speed: 2 rad/s}\n";
     static const char *const fields[] = {WHIRL_FIELD_RUNUP_SPECTRUM, WHIRL_FIELD_RUNUP_ORBIT,
-                                         WHIRL_FIELD_RUNUP_SPECTRUM_TIME};
+                                         WHIRL_FIELD_RUNUP_SPECTRUM_TIME, WHIRL_FIELD_RUNUP_ORBIT_INSTANT};
     char elements[SIZE / 4];
     (void)state;
     snprintf(elements, sizeof elements, "%s    - timed_torque: {times: [0 s, 500 s], torques: [0 N.m, 0 N.m]}\n",
@@ -423,6 +502,7 @@ int main(void) {
                                        cmocka_unit_test(mean_positions),
                                        cmocka_unit_test(motions_in_time),
                                        cmocka_unit_test(forces_and_gaps),
+                                       cmocka_unit_test(torques_within_a_turn),
                                        cmocka_unit_test(by_time_and_by_angle)};
     return cmocka_run_group_tests_name("views of run-ups", tests, NULL, NULL);
 }

@@ -11,9 +11,6 @@
 /// Columns of fields with two numbers at every order: of x and y, or of forward and backward motion.
 enum { ORDER_COLUMNS = 2 * RUNUP_ORDERS };
 
-/// Columns of torques on the shaft.
-enum { TORQUE_COLUMNS = 5 };
-
 static size_t runup_every_row(const block_shape *shape) {
     return (size_t)shape->options->runup.rows;
 }
@@ -62,6 +59,14 @@ static size_t runup_every_orbit(const block_shape *shape) {
 
 static size_t runup_every_instant_of_orbits(const block_shape *shape) {
     return runup_every_orbit(shape) * (size_t)shape->options->runup.samples;
+}
+
+static size_t runup_every_instant_of_orbits_with_drive(const block_shape *shape) {
+    return whirl_runup_driven(&shape->options->runup) ? runup_every_instant_of_orbits(shape) : 0;
+}
+
+static size_t runup_every_torque_and_instant_of_orbits(const block_shape *shape) {
+    return runup_every_torque(shape) * runup_every_instant_of_orbits(shape);
 }
 
 static size_t runup_every_instant_of_an_orbit(const block_shape *shape) {
@@ -147,7 +152,7 @@ static const field_plan fields[FIELD_COUNT] = {
                 "motor, load, friction, rotor, drag (on the shaft at the end of the turn, in the sense of the "
                 "rotation; rotor: by "
                 "unbalances that the motion and the weight turn; drag: of films and seals)",
-                WHIRL_PER_POINT, TORQUE_COLUMNS, runup_every_row},
+                WHIRL_PER_POINT, RUNUP_SHAFT_TORQUES, runup_every_row},
     [RADIUS] = {WHIRL_FIELD_RUNUP_RADIUS, "length", "largest distance from the centre since the row before",
                 WHIRL_PER_STATION, 1, runup_every_row},
     [CENTRE] = {WHIRL_FIELD_RUNUP_CENTRE, "length", "x, y (mean over the turn, from the centre)", WHIRL_PER_STATION, 2,
@@ -221,7 +226,7 @@ static const field_plan fields[FIELD_COUNT] = {
         {WHIRL_FIELD_RUNUP_SHAFT_TORQUE, "N m",
          "motor, load, friction, rotor, drag (on that shaft at the end of that turn, along its rotation; missing where "
          "a law gives its speed)",
-         WHIRL_PER_POINT, TORQUE_COLUMNS, runup_every_shaft_and_row},
+         WHIRL_PER_POINT, RUNUP_SHAFT_TORQUES, runup_every_shaft_and_row},
     [SHAFT_AMPLITUDE] = {WHIRL_FIELD_RUNUP_SHAFT_AMPLITUDE, "length",
                          OF_AXES " (0-p amplitudes of x and y at 1 to 4 times the speed of that "
                                  "shaft, over that turn)",
@@ -273,6 +278,20 @@ static const field_plan fields[FIELD_COUNT] = {
     [ORBIT] = {WHIRL_FIELD_RUNUP_ORBIT, "length",
                "x, y (from the centre, at equal angles of a turn from the mark on, one orbit after another)",
                WHIRL_PER_STATION, 2, runup_every_instant_of_orbits},
+    [ORBIT_INSTANT] = {WHIRL_FIELD_RUNUP_ORBIT_INSTANT, "s", "times of the instants of orbits, one orbit after another",
+                       WHIRL_PER_POINT, 1, runup_every_instant_of_orbits},
+    [ORBIT_FORCE] = {WHIRL_FIELD_RUNUP_ORBIT_FORCE, "force", "normal force at the instants of orbits",
+                     WHIRL_PER_CONTACT, 1, runup_every_instant_of_orbits},
+    [ORBIT_GAP] = {WHIRL_FIELD_RUNUP_ORBIT_GAP, "length", "gap at the instants of orbits; below 0: pressed in",
+                   WHIRL_PER_CONTACT, 1, runup_every_instant_of_orbits},
+    [ORBIT_TORQUE] = {WHIRL_FIELD_RUNUP_ORBIT_TORQUE, "N m",
+                      "motor, load, friction, rotor, drag (on the shaft at the instants of orbits, in the sense of the "
+                      "rotation, as in runup/torque)",
+                      WHIRL_PER_POINT, RUNUP_SHAFT_TORQUES, runup_every_instant_of_orbits_with_drive},
+    [ORBIT_TORQUE_COURSE] = {WHIRL_FIELD_RUNUP_ORBIT_TORQUE_COURSE, "N m",
+                             "torques of motors and shafts at the instants of orbits (all instants of the first torque "
+                             "of runup/torque_of, then of the next)",
+                             WHIRL_PER_POINT, 1, runup_every_torque_and_instant_of_orbits},
     [PEAK_ORBIT] = {WHIRL_FIELD_RUNUP_PEAK_ORBIT, "length",
                     "x, y (as in the orbits, in the turn with the largest motion)", WHIRL_PER_STATION, 2,
                     runup_every_instant_of_an_orbit},
@@ -339,8 +358,7 @@ static void runup_fill_station(const filling *f, const runup_turn *turn, size_t 
 
 /// Fills in the torques on a shaft at a row of a field.
 static void runup_fill_torque_row(const filling *f, size_t field, size_t row, const whirl_torques *of) {
-    const double torque[TORQUE_COLUMNS] = {of->motor, of->load, of->friction, of->rotor, of->drag};
-    memcpy(view_numbers(f->view, field, 0) + row * TORQUE_COLUMNS, torque, sizeof torque);
+    runup_list_torques(of, view_numbers(f->view, field, 0) + row * RUNUP_SHAFT_TORQUES);
 }
 
 static size_t runup_row_at(const filling *f, double time) {
@@ -705,7 +723,7 @@ static void runup_job_begin(runup_job *job, bool resume) {
     memcpy(plan->integrate.method, o->method, sizeof plan->integrate.method);
     job->status = runup_find_start(point, o, job->make.highest, job->numbers + d, &plan->start_count);
     if (job->status.code == WHIRL_OK)
-        job->status = runup_views_new(job->view, o, system, contacts, f->duration, &f->views);
+        job->status = runup_views_new(job->view, o, system, contacts, torques, f->duration, &f->views);
     if (f->views.samples.numbers) plan->samples = &f->views.samples;
     plan->motion = point->motion;
 }
@@ -807,7 +825,7 @@ static whirl_status runup_fill_measured(const whirl_resting *point, const whirl_
                  .status = whirl_ok()};
     whirl_status status =
         radius && stations ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for the turns of a record");
-    if (status.code == WHIRL_OK) status = runup_views_new(view, o, point->system, 0, f.duration, &f.views);
+    if (status.code == WHIRL_OK) status = runup_views_new(view, o, point->system, 0, 0, f.duration, &f.views);
     // Show each turn of the record as one of a run; a record has no torques.
     for (size_t n = 0; n < m->turns && status.code == WHIRL_OK; n++) {
         const double begin = m->time[n * m->samples], end = m->end[n];

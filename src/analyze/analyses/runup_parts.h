@@ -61,6 +61,11 @@ enum {
     ORBIT_TIME,
     ORBIT_SPEED,
     ORBIT,
+    ORBIT_INSTANT,
+    ORBIT_FORCE,
+    ORBIT_GAP,
+    ORBIT_TORQUE,
+    ORBIT_TORQUE_COURSE,
     PEAK_ORBIT,
     WAVEFORM_TIME,
     WAVEFORM,
@@ -129,9 +134,10 @@ void runup_cycles_free(runup_history *histories, size_t torques);
 /// highest_order.
 size_t runup_bins(const whirl_runup_options *options);
 
-/// Makes the views; nothing is kept if the options want none. WHIRL_NO_MEMORY. Freed by runup_views_free.
+/// Makes the views; nothing is kept if the options want none. watched: number of torques that are watched.
+/// WHIRL_NO_MEMORY. Freed by runup_views_free.
 whirl_status runup_views_new(const block_view *view, const whirl_runup_options *options, const whirl_system *system,
-                             size_t contacts, double duration, runup_views *views);
+                             size_t contacts, size_t watched, double duration, runup_views *views);
 void runup_views_free(runup_views *views);
 
 /// Adds a turn. First fills the spectra and orbits whose time comes before its end. WHIRL_NO_MEMORY.

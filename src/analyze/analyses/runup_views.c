@@ -20,12 +20,15 @@ static size_t views_max_turns(const whirl_runup_options *options) {
 }
 
 whirl_status runup_views_new(const block_view *view, const whirl_runup_options *options, const whirl_system *system,
-                             size_t contacts, double duration, runup_views *views) {
+                             size_t contacts, size_t watched, double duration, runup_views *views) {
     const size_t turns = views_max_turns(options), bins = runup_bins(options), all = system->probe_count + contacts;
     *views = (runup_views){.view = view, .options = options, .duration = duration};
     if (turns == 0) return whirl_ok();
     views->clockwise = system->probe_count > 0 && whirl_probe_way(&system->probes[0]) < 0.0;
-    views->samples = turn_samples_new((size_t)options->samples, system->probe_count, contacts);
+    // Torques within a turn are those of orbits, and of shafts that torques turn.
+    const bool torques = options->orbits > 0 && whirl_runup_driven(options);
+    views->samples = turn_samples_new((size_t)options->samples, system->probe_count, contacts,
+                                      torques ? RUNUP_SHAFT_TORQUES + watched : 0);
     views->history = turn_history_new(turns, &views->samples);
     views->memory = calloc(2 * turns * views->samples.samples, sizeof *views->memory);
     views->largest = calloc(all + 1, sizeof *views->largest);
@@ -83,6 +86,26 @@ static void runup_fill_orbit(const runup_views *views, const double *turn, size_
         for (size_t axis = 0; axis < 2; axis++) out[2 * k + axis] = turn[k * of->width + 1 + 2 * station + axis];
 }
 
+/// Fills the times of the instants of an orbit's turn, and the forces, gaps and torques at them.
+static void runup_fill_instants(const runup_views *views, const double *turn, size_t row) {
+    const turn_samples *of = &views->samples;
+    const size_t first = row * of->samples, all = (size_t)views->options->orbits * of->samples;
+    for (size_t k = 0; k < of->samples; k++) {
+        const double *contact = turn + k * of->width + 1 + 2 * of->probes, *torque = contact + 2 * of->contacts;
+        view_numbers(views->view, ORBIT_INSTANT, 0)[first + k] = turn[k * of->width];
+        for (size_t c = 0; c < of->contacts; c++) {
+            view_numbers(views->view, ORBIT_FORCE, c)[first + k] = contact[2 * c];
+            view_numbers(views->view, ORBIT_GAP, c)[first + k] = contact[2 * c + 1];
+        }
+        for (size_t t = 0; t < of->torques; t++)
+            if (t < RUNUP_SHAFT_TORQUES)
+                view_numbers(views->view, ORBIT_TORQUE, 0)[(first + k) * RUNUP_SHAFT_TORQUES + t] = torque[t];
+            else
+                view_numbers(views->view, ORBIT_TORQUE_COURSE, 0)[(t - RUNUP_SHAFT_TORQUES) * all + first + k] =
+                    torque[t];
+    }
+}
+
 /// Fills the orbits of a time from the last turn; they stay missing before there is one.
 static void runup_fill_orbits(runup_views *views, size_t row) {
     const double *turn = turn_history_last(&views->history, 1);
@@ -91,6 +114,7 @@ static void runup_fill_orbits(runup_views *views, size_t row) {
     view_numbers(views->view, ORBIT_SPEED, 0)[row] = two_pi / (views->history.end - turn[0]);
     for (size_t p = 0; p < views->samples.probes; p++)
         runup_fill_orbit(views, turn, p, view_numbers(views->view, ORBIT, p) + 2 * row * views->samples.samples);
+    runup_fill_instants(views, turn, row);
 }
 
 /// Fills the spectra and orbits whose time comes before the turn that ends at `end`.

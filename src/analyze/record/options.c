@@ -334,8 +334,8 @@ const whirl_member *whirl_runup_members(void) {
         RUNUP_NUMBER(slow_roll, "slow_roll", "rad/s", "0", WHIRL_NOT_NEGATIVE,
                      "speed of slow roll: its motion at 1X is subtracted from that at all speeds; 0: none"),
         RUNUP(WHOLE, orbits, "1", WHIRL_KEY_WHOLE, "0", WHIRL_FROM_TO(0, 1000), NULL,
-              "number of orbits of the result, at equal times: each is the last turn before its time; one more is that "
-              "of the largest motion; 0: none"),
+              "number of turns whose orbits, contact forces, gaps and torques are kept, at equal times: each is the "
+              "last turn before its time; one more orbit is that of the largest motion; 0: none"),
         RUNUP(WHOLE, waveform, "1", WHIRL_KEY_WHOLE, "0", WHIRL_FROM_TO(0, 1024), NULL,
               "turns of motions and contact forces that are kept around their largest, and around the first four "
               "events; 0: none"),

@@ -414,8 +414,18 @@ static double runup_torque_slope(const runner *r, const double *x, size_t which)
 
 // ---------------------------------------------------------------- turns that are seen
 
-/// Fills in an instant of a turn from a sample.
-static void runup_fill_instant(const runner *r, const double *sample, const double *force, turn_instant *out) {
+/// Writes the torques on the shaft in a sample, at that angle of the shaft, then the watched ones.
+static void runup_fill_torques_at(const runner *r, const double *sample, double angle, double *out) {
+    const double *placed = runup_placed(r, sample);
+    whirl_torques found;
+    r->machine->torques(r->machine, placed, angle, &found);
+    runup_list_torques(&found, out);
+    if (r->torques > 0) r->machine->watch(r->machine, placed, angle, out + RUNUP_SHAFT_TORQUES);
+}
+
+/// Fills in an instant of a turn from a sample, at that angle of the shaft.
+static void runup_fill_instant(const runner *r, const double *sample, const double *force, double angle,
+                               turn_instant *out) {
     double *numbers = out->numbers, *slopes = out->slopes;
     // Velocities by time are derivatives by the angle times the speed.
     const double faster = r->by_time ? 1.0 : sample[r->rotor];
@@ -430,16 +440,18 @@ static void runup_fill_instant(const runner *r, const double *sample, const doub
         *numbers++ = force[c];
         *numbers++ = -runup_switch_of(r, sample, r->machine->contact_switch(r->machine, c));
     }
+    if (r->plan->samples->torques > 0) runup_fill_torques_at(r, sample, angle, numbers);
 }
 
-/// Keeps the instants of a part at equal angles of the turn.
-static void runup_keep_instants(runner *r, double passed, double step, size_t count) {
+/// Keeps the instants of a part at equal angles of the turn. from: angle of its beginning, with the angle as variable.
+static void runup_keep_instants(runner *r, double from, double passed, double step, size_t count) {
     turn_samples *to = r->plan->samples;
     for (size_t k = 0; k <= count; k++) {
         const double *sample = runup_sample(r, k);
         turn_instant *own = &to->ends[k % 2];
         own->angle = passed + (r->by_time ? sample[r->rotor + 2] - r->samples[r->rotor + 2] : (double)k * step);
-        runup_fill_instant(r, sample, r->force + k * r->contacts, own);
+        runup_fill_instant(r, sample, r->force + k * r->contacts,
+                           r->by_time ? sample[r->rotor + 2] : from + (double)k * step, own);
         if (k > 0) turn_samples_fill(to, &to->ends[(k - 1) % 2], own);
     }
 }
@@ -519,7 +531,7 @@ static void runup_see_part(runner *r, double from, double passed, double length)
     runup_see_torques(r, step, count);
     runup_add_orders(r, passed, step, count);
     if (r->spools > 0) runup_add_spool_orders(r, step, count);
-    if (r->plan->samples) runup_keep_instants(r, passed, step, count);
+    if (r->plan->samples) runup_keep_instants(r, from, passed, step, count);
     if (!runup_has_instants(r)) return;
     if (r->by_time || length != r->length) runup_find_slopes(r, from, length);
     runup_fill_motion(r, passed, step, count);

@@ -30,6 +30,14 @@ typedef struct runup_station {
     double complex x[RUNUP_ORDERS], y[RUNUP_ORDERS]; ///< 2/turn times the integrals of x and y times exp(-i k theta)
 } runup_station;
 
+/// Torques on the shaft in results: motor, load, friction, rotor, drag.
+enum { RUNUP_SHAFT_TORQUES = 5 };
+
+/// Writes the torques on the shaft in the order of results.
+static inline void runup_list_torques(const whirl_torques *of, double out[RUNUP_SHAFT_TORQUES]) {
+    out[0] = of->motor, out[1] = of->load, out[2] = of->friction, out[3] = of->rotor, out[4] = of->drag;
+}
+
 /// A turn of the shaft.
 typedef struct runup_turn {
     double time, speed;            ///< s, rad/s, at the turn's middle

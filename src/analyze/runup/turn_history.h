@@ -13,21 +13,22 @@ typedef struct turn_instant {
 } turn_instant;
 
 /// Instants of a turn at equal angles, the beginning of the turn first. An instant is one row of `numbers`: the time in
-/// s; x and y of every probe; normal force (N) and gap (below 0: pressed in) of every contact. Lengths are those of the
-/// machine.
+/// s; x and y of every probe; normal force (N) and gap (below 0: pressed in) of every contact; torques, N m. Lengths
+/// are those of the machine.
 typedef struct turn_samples {
     size_t samples, probes, contacts;
+    size_t torques;       ///< those on the shaft (RUNUP_SHAFT_TORQUES), then the watched ones; 0: none are wanted
     size_t width;         ///< numbers of a row
     double *numbers;      ///< [samples][width]; in one block with the numbers of `ends`
     turn_instant ends[2]; ///< workspace
 } turn_samples;
 
 /// Makes samples of one turn; numbers are NULL without memory. Freed by free(numbers).
-turn_samples turn_samples_new(size_t samples, size_t probes, size_t contacts);
+turn_samples turn_samples_new(size_t samples, size_t probes, size_t contacts, size_t torques);
 
 /// Fills in the instants at equal angles from one computed instant to before the next one: angles and displacements are
-/// cubic in time between both (Hermite), forces and gaps linear. An instant that is itself a computed one gets its
-/// numbers unchanged.
+/// cubic in time between both (Hermite), forces, gaps and torques linear. An instant that is itself a computed one gets
+/// its numbers unchanged.
 void turn_samples_fill(turn_samples *to, const turn_instant *low, const turn_instant *high);
 
 /// The last turns.

@@ -94,7 +94,8 @@ bool table_is_sweep(const drawing *of, const whirl_table *table);
     kind(rotor) kind(bifurcation) kind(waterfall) kind(map) kind(branch) kind(curves) kind(torus) kind(campbell)       \
     kind(decrement) kind(shapes) kind(sag) kind(deflected) kind(unbalance) kind(critical_speeds) kind(stability)       \
     kind(screening) kind(centreline) kind(orbits) kind(transient) kind(runup) kind(runup_polar) kind(runup_spectra)    \
-    kind(runup_motion) kind(twists) kind(fit) kind(point) kind(field) kind(sensitivity) kind(tolerances)
+    kind(runup_motion) kind(runup_turn) kind(twists) kind(fit) kind(point) kind(field) kind(sensitivity)               \
+    kind(tolerances)
 // clang-format on
 #define FIGURE_KIND(name) extern const figure_kind name##_figure;
 FIGURE_KINDS(FIGURE_KIND)

@@ -25,9 +25,8 @@ enum { MAX_ORBITS = 9 };
 
 // ---------------------------------------------------------------- orbits
 
-/// Adds an orbit [samples][2], with a dot where the mark is at the x axis.
-static void orbit_add(const drawing *of, const figure_place *place, size_t run, const double *orbit, double time,
-                      double speed, const char *what, whirl_figure *figure) {
+void runup_orbit_panel(const drawing *of, const figure_place *place, size_t run, const double *orbit, double time,
+                       double speed, const char *what, whirl_figure *figure) {
     const whirl_table *table = place->table;
     const whirl_unit *seconds = &of->units->of[WHIRL_QUANTITY_TIME], *rate = &of->units->of[WHIRL_QUANTITY_SPEED];
     const size_t count = (size_t)table->record.runup.samples;
@@ -84,13 +83,13 @@ static void orbits_describe(const drawing *of, const figure_place *place, whirl_
         char name[32];
         snprintf(name, sizeof name, "orbit-%zu", k + 1);
         if (isfinite(times[k]))
-            orbit_add(of, place, runs[0], orbits + 2 * k * samples, times[k], speeds[k], name, figure);
+            runup_orbit_panel(of, place, runs[0], orbits + 2 * k * samples, times[k], speeds[k], name, figure);
     }
     // Draw the orbit of the largest motion.
     if (isfinite(peak[0])) {
-        orbit_add(of, place, runs[0], peak,
-                  whirl_table_number(table, runs[0], WHIRL_FIELD_RUNUP_PEAK_TIME, place->station),
-                  whirl_table_number(table, runs[0], WHIRL_FIELD_RUNUP_PEAK_SPEED, place->station), "peak", figure);
+        runup_orbit_panel(
+            of, place, runs[0], peak, whirl_table_number(table, runs[0], WHIRL_FIELD_RUNUP_PEAK_TIME, place->station),
+            whirl_table_number(table, runs[0], WHIRL_FIELD_RUNUP_PEAK_SPEED, place->station), "peak", figure);
     }
     snprintf(
         figure->caption, sizeof figure->caption,

@@ -20,6 +20,11 @@ double runup_label_over(const drawing *of, whirl_axis *axis, bool by_speed);
 void runup_label_speeds(const drawing *of, whirl_figure *figure, whirl_panel *panel, const whirl_series *line,
                         const double *speeds);
 
+/// Adds a panel with an orbit [samples][2] of the station within its walls, with a dot where the mark is at the x axis.
+/// time, speed: of its turn, s and rad/s.
+void runup_orbit_panel(const drawing *of, const figure_place *place, size_t run, const double *orbit, double time,
+                       double speed, const char *what, whirl_figure *figure);
+
 /// Fails if a name begins with the stem of figures whose field no table has. WHIRL_BAD_INPUT, with the option of
 /// `runup` that makes the field.
 whirl_status runup_find(const drawing *of, const char *name, const char *stem, const char *field, const char *option);
