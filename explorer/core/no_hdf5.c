@@ -1,10 +1,12 @@
-// Stands in for the reader of HDF5 files: the explorer reads tables that are dropped onto its page, and no files.
+// Stands in for the readers of HDF5, MAT and universal files: the explorer reads tables that are dropped onto its page,
+// and no files.
 #include "whirl/internal/arrays.h"
 
 #include <math.h>
 
 static whirl_status no_hdf5(void) {
-    return whirl_fail(WHIRL_BAD_INPUT, "HDF5 files need the library, which the explorer does not have");
+    return whirl_fail(WHIRL_BAD_INPUT,
+                      "HDF5, MAT and universal files need the library, which the explorer does not have");
 }
 
 bool arrays_is_file(const char *path) {

@@ -43,6 +43,25 @@ whirl_status whirl_result_read_outline(const char *path, whirl_result **outline)
 /// names file, line and column. The turn before the second pulse is left out.
 whirl_status whirl_result_read_record(const char *path, whirl_result **result);
 
+/// Columns of numbers of a measured file.
+typedef struct whirl_columns whirl_columns;
+
+/// Reads columns of a table of comma-separated values, or of an HDF5, MAT (version 4 to 7.3) or universal file
+/// (datasets 58 and 58b). `count` columns with the headings [count] are chosen by their names [count] in the file: a
+/// dataset or variable, "run/x", a part of one in which one index runs, "run/signals[:, 2]", or a record of a universal
+/// file, "record 2". With 0 all vectors are columns, under their own names and units. WHIRL_BAD_INPUT names the file,
+/// and what is wrong in it; WHIRL_IO_ERROR if it cannot be read.
+whirl_status whirl_columns_read(const char *path, const char *const *headings, const char *const *names, size_t count,
+                                whirl_columns **columns);
+size_t whirl_columns_count(const whirl_columns *columns);                        ///< Number of columns.
+size_t whirl_columns_rows(const whirl_columns *columns);                         ///< Number of numbers of each column.
+const char *whirl_columns_name(const whirl_columns *columns, size_t index);      ///< Heading without its unit.
+const char *whirl_columns_unit(const whirl_columns *columns, size_t index);      ///< Unit, "" if it is not known.
+const double *whirl_columns_numbers(const whirl_columns *columns, size_t index); ///< [rows], in the unit.
+
+/// Frees columns; accepts NULL.
+void whirl_columns_free(whirl_columns *columns);
+
 /// Writes the result as an HDF5 file: to a temporary name in the folder of `path`, synced, then renamed, so that no
 /// partly written file remains. Omits points that are not done. docs/result-file.md describes the layout.
 whirl_status whirl_result_write(const whirl_result *result, const char *path);

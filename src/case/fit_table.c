@@ -82,6 +82,9 @@ static whirl_status fit_probe_heading(fit_maker *m, size_t column, bool vectors)
     fit_column *own = &m->columns[column];
     const named_list *stations = &m->parts->machine->stations;
     memcpy(text, m->table.columns[column].name, sizeof text);
+    // Variables of MATLAB have no blanks: "disc_x_lag".
+    for (char *at = text; m->table.vectors && !strchr(m->table.columns[column].name, ' ') && *at; at++)
+        if (*at == '_') *at = ' ';
     *own = (fit_column){.kind = FIT_DISPLACEMENT, .order = 1.0, .lag = column, .noise = m->noise};
     // Recognize the share of the time in contact.
     if (strcmp(text, "contact") == 0) {
@@ -113,6 +116,10 @@ static whirl_status fit_probe_heading(fit_maker *m, size_t column, bool vectors)
         return FIT_FAIL(m, column, "'%.20s' is no direction of a probe, expected x, y or degrees from x", word);
     own->direction *= two_pi / 360.0;
     own->station = named_find(stations, text);
+    if (own->station == stations->count) {
+        memcpy(text, m->table.columns[column].name, strlen(text)); // stations may have such names
+        own->station = named_find(stations, text);
+    }
     if (own->station == stations->count) {
         machine_advise(m->parts->machine, text, false, advice);
         return FIT_FAIL(m, column, "'%.40s' is no station, %.200s", text, advice);
@@ -385,7 +392,7 @@ static bool fit_ends_with(const char *name, const char *const *ends) {
     return false;
 }
 
-/// Reads the columns of a file in HDF5 that the case chooses.
+/// Reads the columns of a measured file that the case chooses.
 static whirl_status fit_read_chosen(fit_maker *m, const fit_set *set, const char *path) {
     csv_chosen chosen[FIT_MAX_COLUMNS];
     size_t count = 0;
@@ -395,7 +402,7 @@ static whirl_status fit_read_chosen(fit_maker *m, const fit_set *set, const char
 }
 
 whirl_status fit_table_read(fit_maker *m, const fit_set *set) {
-    static const char *const matlab[] = {".mat", NULL}, *const universal[] = {".uff", ".unv", NULL};
+    static const char *const measured[] = {".mat", ".uff", ".unv", NULL};
     char sentence[WHIRL_MESSAGE_SIZE];
     const char *name = set->file && set->file->kind == NODE_TEXT ? set->file->text : "";
     const setting *record = settings_find(&set->keys, "record");
@@ -405,25 +412,21 @@ whirl_status fit_table_read(fit_maker *m, const fit_set *set) {
         snprintf(sentence, sizeof sentence, "%.100s is too long for the path of a table", name);
         return fit_fail_at(m, set->file, sentence);
     }
-    // Files of MATLAB from version 7.3 on are HDF5.
-    const bool arrays = arrays_is_file(path);
-    if (!arrays && (fit_ends_with(name, matlab) || fit_ends_with(name, universal))) {
-        snprintf(sentence, sizeof sentence,
-                 "%.100s is a file in %s, expected comma-separated values or HDF5; in Python whirl.fit takes it, and "
-                 "whirl.read_measured reads it",
-                 name, fit_ends_with(name, matlab) ? "MATLAB's format before 7.3" : "the universal format");
-        return fit_fail_at(m, set->file, sentence);
-    }
+    const bool arrays = arrays_is_file(path) || fit_ends_with(name, measured);
     whirl_status status;
     if (arrays && record) {
         status = fit_record_read(m, set, path, (size_t)settings_number(m->v, &set->keys, "record"));
     } else if (arrays && set->columns) {
         status = fit_read_chosen(m, set, path);
+    } else if (arrays) {
+        status = csv_load_vectors(path, NULL, 0, FIT_MAX_COLUMNS, &m->table);
     } else {
         status = csv_load(path, FIT_MAX_COLUMNS, &m->table);
         if (status.code == WHIRL_OK && (record || set->columns))
             status = fit_fail_at(m, record ? record->place : set->columns,
-                                 "is given for a table of comma-separated values, expected a file in HDF5");
+                                 record ? "is given for a table of comma-separated values, expected a file in HDF5"
+                                        : "is given for a table of comma-separated values, expected an HDF5, MAT or "
+                                          "universal file");
     }
     // A file that is not there has no places: the error is at its name in the case.
     if ((status.code == WHIRL_BAD_INPUT || status.code == WHIRL_IO_ERROR) && m->table.column_count == 0 &&

@@ -68,8 +68,10 @@ static whirl_status record_heading(record *r, size_t column) {
         own->kind = COLUMN_SPEED;
         return csv_unit(&r->table, column, "rad/s", "rpm", &own->size);
     }
-    // A probe is named by its station and its direction.
+    // A probe is named by its station and its direction. Variables of MATLAB have no blanks: "de_x".
     char *direction = strrchr(text, ' ');
+    if (!direction && r->table.vectors) direction = strrchr(text, '_');
+    if (direction) *direction = ' ';
     if (!direction)
         return RECORD_FAIL(r, own->place,
                            "'%.40s' is no column, expected time, keyphasor, speed, or a station and the direction of a "

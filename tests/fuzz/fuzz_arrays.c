@@ -1,5 +1,5 @@
-// Any bytes as an HDF5 file of another program: refused with a sentence, or read, up to a few thousand numbers of each
-// dataset.
+// Any bytes as a measured file of another program (HDF5, MAT, universal): refused with a sentence, or read, up to a few
+// thousand numbers of each dataset.
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>

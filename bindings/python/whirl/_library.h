@@ -5,6 +5,7 @@ typedef struct whirl_case whirl_case;
 typedef struct whirl_job whirl_job;
 typedef struct whirl_result whirl_result;
 typedef struct whirl_table whirl_table;
+typedef struct whirl_columns whirl_columns;
 typedef struct whirl_journal whirl_journal;
 typedef struct whirl_point_store whirl_point_store;
 
@@ -86,6 +87,14 @@ whirl_status whirl_journal_remove(whirl_journal *journal);
 whirl_status whirl_result_read(const char *path, whirl_result **result);
 whirl_status whirl_result_read_outline(const char *path, whirl_result **outline);
 whirl_status whirl_result_read_record(const char *path, whirl_result **result);
+whirl_status whirl_columns_read(const char *path, const char *const *headings, const char *const *names, size_t count,
+                                whirl_columns **columns);
+size_t whirl_columns_count(const whirl_columns *columns);
+size_t whirl_columns_rows(const whirl_columns *columns);
+const char *whirl_columns_name(const whirl_columns *columns, size_t index);
+const char *whirl_columns_unit(const whirl_columns *columns, size_t index);
+const double *whirl_columns_numbers(const whirl_columns *columns, size_t index);
+void whirl_columns_free(whirl_columns *columns);
 whirl_status whirl_result_write(const whirl_result *result, const char *path);
 whirl_status whirl_result_verify(const whirl_result *result, const char *path);
 whirl_status whirl_result_add_fact(whirl_result *result, const char *name, const char *value);

@@ -21,7 +21,6 @@ import numpy as np
 from .case import Case, _block
 from .errors import BadInput
 from .fields import FIELD
-from .measured import HDF5, SUFFIXES, read_measured
 from .running import run
 
 if TYPE_CHECKING:
@@ -111,9 +110,7 @@ def _table_of(data: Any, folder: str, number: int) -> str:
         path = Path(data)
         if not path.is_file():
             raise BadInput(f"there is no table {str(data)!r} of measured numbers")
-        if path.suffix.lower() not in SUFFIXES or path.suffix.lower() in HDF5:
-            return str(path.resolve())
-        data = read_measured(path)
+        return str(path.resolve())
     columns = {str(name): np.asarray(data[name], float) for name in data}
     lengths = {len(column) for column in columns.values()}
     if len(lengths) != 1:
@@ -160,9 +157,9 @@ def fit(
         Measured numbers. {"onset": "5200 rpm", "noise": "50 rpm"} and the like are onsets of instability, critical
         speeds, frequencies and damping ratios of modes, with the keys of a case. All others are tables, whose headings
         say what a column is: "angle [deg]" or "time [s]" with "disc x [um]" for an orbit, "speed [rpm]" with
-        "disc x [um]" and "disc x lag [deg]" for orders (guide, chapter 18). Files are comma-separated values, HDF5, or
-        what :func:`whirl.read_measured` reads. {"file": "run.h5", "columns": {"time [s]": "t", "disc x [um]":
-        "signals[:, 0]"}} chooses columns of an HDF5 file, {"file": "records.h5", "record": 17} a record of a data set.
+        "disc x [um]" and "disc x lag [deg]" for orders (guide, chapter 18). Files are comma-separated values, HDF5, MAT
+        (version 4 to 7.3) or universal files (dataset 58, 58b). {"file": "run.h5", "columns": {"time [s]": "t", "disc x
+        [um]": "signals[:, 0]"}} chooses columns, {"file": "records.h5", "record": 17} a record of a data set.
     at : dict, or a list of one for each table, optional
         Values that parameters had in the measurement.
     noise : text, float or dict, optional

@@ -1,4 +1,4 @@
-// Arrays of numbers in HDF5 files (whirl/internal/arrays.h).
+// Arrays of numbers in measured files (whirl/internal/arrays.h).
 #include "whirl/internal/arrays.h"
 
 #include <math.h>
@@ -8,6 +8,7 @@
 
 #include "foreign.h"
 #include "input.h"
+#include "listed.h"
 #include "utf8.h"
 #include "whirl/engine/descriptor.h"
 
@@ -16,20 +17,27 @@ enum { ARRAYS_PATH = 1024, ARRAYS_MAX_NAMES = 10000, ARRAYS_MAX_DEPTH = 16 };
 struct arrays_file {
     foreign_file foreign;
     byte_source source;
-    byte_file bytes; ///< open where its descriptor is 0 or more
+    byte_file bytes;     ///< open where its descriptor is 0 or more
+    listed_table listed; ///< arrays of a file that is no HDF5 file
     char path[ARRAYS_PATH];
 };
 
 // ---------------------------------------------------------------- opening
 
+/// Returns true if the source begins as HDF5 files do, before which there may be up to `most` bytes of the user's.
+static bool source_is_hdf5(const byte_source *source, uint64_t most) {
+    uint64_t at;
+    return foreign_find_superblock(source, most, &at) == 0 && at < source->size;
+}
+
 bool arrays_is_file(const char *path) {
     byte_file *file = malloc(sizeof *file);
-    uint64_t at;
     if (!file || bytes_open(file, path).code != WHIRL_OK) {
         free(file);
         return false;
     }
-    const bool found = foreign_find_superblock(&file->source, 4096, &at) == 0 && at < file->source.size;
+    const bool found =
+        source_is_hdf5(&file->source, 4096) || mat_is_file(&file->source) || universal_is_file(&file->source);
     bytes_close(file);
     free(file);
     return found;
@@ -55,9 +63,19 @@ static arrays_file *arrays_new(const char *path) {
     return file;
 }
 
-/// Finds the superblock of the source.
+/// Finds the superblock of an HDF5 file, or lists the arrays of a file of another kind.
 static whirl_status arrays_begin(arrays_file *file, arrays_file **out) {
-    foreign_open(&file->foreign, &file->source);
+    const byte_source *source = &file->source;
+    file->listed.kind = source_is_hdf5(source, 4096) ? LISTED_NONE
+                        : mat_is_file(source)        ? LISTED_MAT
+                        : universal_is_file(source)  ? LISTED_UNIVERSAL
+                                                     : LISTED_NONE;
+    if (file->listed.kind == LISTED_NONE)
+        foreign_open(&file->foreign, source);
+    else
+        file->foreign = (foreign_file){.source = source};
+    if (file->listed.kind == LISTED_MAT) mat_list(&file->foreign, &file->listed);
+    if (file->listed.kind == LISTED_UNIVERSAL) universal_list(&file->foreign, &file->listed);
     const whirl_status status = arrays_end(file, NULL);
     *out = status.code == WHIRL_OK ? file : NULL;
     if (status.code != WHIRL_OK) arrays_close(file);
@@ -67,7 +85,7 @@ static whirl_status arrays_begin(arrays_file *file, arrays_file **out) {
 whirl_status arrays_open_source(const byte_source *source, const char *name, arrays_file **out) {
     arrays_file *file = arrays_new(name);
     *out = NULL;
-    if (!file) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an HDF5 file");
+    if (!file) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a file of numbers");
     file->source = *source;
     return arrays_begin(file, out);
 }
@@ -75,7 +93,7 @@ whirl_status arrays_open_source(const byte_source *source, const char *name, arr
 whirl_status arrays_open(const char *path, arrays_file **out) {
     arrays_file *file = arrays_new(path);
     *out = NULL;
-    if (!file) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an HDF5 file");
+    if (!file) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a file of numbers");
     const whirl_status status = bytes_open(&file->bytes, path);
     if (status.code != WHIRL_OK) {
         arrays_close(file);
@@ -87,6 +105,7 @@ whirl_status arrays_open(const char *path, arrays_file **out) {
 
 void arrays_close(arrays_file *file) {
     if (file) bytes_close(&file->bytes);
+    if (file) listed_free(&file->listed);
     free(file);
 }
 
@@ -278,6 +297,12 @@ static bool walk_member(void *context, const char *name, size_t length, uint64_t
 }
 
 whirl_status arrays_visit(arrays_file *file, arrays_visitor visit, void *context) {
+    if (file->listed.kind != LISTED_NONE) {
+        whirl_status status = whirl_ok();
+        for (size_t i = 0; i < file->listed.count && status.code == WHIRL_OK; i++)
+            status = visit(context, file->listed.arrays[i].name, &file->listed.arrays[i].item);
+        return status;
+    }
     name_walk of = {.file = &file->foreign, .visit = visit, .context = context, .status = whirl_ok()};
     foreign_object root;
     if (foreign_object_read(&file->foreign, file->foreign.root, &root))
@@ -323,8 +348,12 @@ static whirl_status arrays_missing(arrays_file *file, const char *name) {
             snprintf(text + used, sizeof text - used, "%s%.60s", i ? ", " : "expected one of ", all.names[i]);
         }
         if (!nearest && all.count > SOME) snprintf(text + strlen(text), sizeof text - strlen(text), ", ...");
-        status = whirl_fail(WHIRL_BAD_INPUT, "%.150s has no dataset '%.100s'%s%.300s", file->path, name,
-                            *text ? ", " : "", text);
+        const int kind = (int)file->listed.kind;
+        status = whirl_fail(WHIRL_BAD_INPUT, "%.150s has no %s '%.100s'%s%.300s", file->path,
+                            kind == LISTED_MAT         ? "variable"
+                            : kind == LISTED_UNIVERSAL ? "record"
+                                                       : "dataset",
+                            name, *text ? ", " : "", text);
     }
     for (size_t i = 0; i < all.count; i++) free(all.names[i]);
     free(all.names);
@@ -337,6 +366,13 @@ static bool arrays_object(arrays_file *file, const char *name, foreign_object *o
     uint64_t address;
     *object = (foreign_object){0};
     return arrays_address(&file->foreign, name, &address) && foreign_object_read(&file->foreign, address, object);
+}
+
+/// Finds an array of a file that is no HDF5 file.
+static whirl_status arrays_listed(arrays_file *file, const char *name, listed_array *out) {
+    const bool found =
+        file->listed.kind == LISTED_MAT ? mat_find(&file->listed, name, out) : universal_find(&file->listed, name, out);
+    return found ? whirl_ok() : arrays_missing(file, name);
 }
 
 /// Opens a dataset; the object is to be freed in any case.
@@ -354,6 +390,12 @@ whirl_status arrays_find(arrays_file *file, const char *name, arrays_item *out) 
     foreign_object object;
     foreign_array array;
     *out = (arrays_item){.factor = 1.0};
+    if (file->listed.kind != LISTED_NONE) {
+        listed_array own;
+        const whirl_status found = arrays_listed(file, name, &own);
+        if (found.code == WHIRL_OK) *out = own.item;
+        return found;
+    }
     whirl_status status = arrays_dataset(file, name, &object);
     if (status.code == WHIRL_OK) {
         arrays_describe(&file->foreign, &object, &array, out);
@@ -363,7 +405,23 @@ whirl_status arrays_find(arrays_file *file, const char *name, arrays_item *out) 
     return status;
 }
 
+/// Reads a part of an array of a file that is no HDF5 file.
+static whirl_status arrays_read_listed(arrays_file *file, const char *name, const size_t *first, const size_t *count,
+                                       double *out) {
+    listed_array own;
+    const whirl_status status = arrays_listed(file, name, &own);
+    if (status.code != WHIRL_OK) return status;
+    if (!own.item.numbers)
+        foreign_fail(&file->foreign, "has %s, expected numbers", own.item.described);
+    else if (file->listed.kind == LISTED_MAT)
+        mat_values(&file->foreign, &file->listed, &own, first, count, out);
+    else
+        universal_values(&file->foreign, &file->listed, &own, first, count, out);
+    return arrays_end(file, name);
+}
+
 whirl_status arrays_read(arrays_file *file, const char *name, const size_t *first, const size_t *count, double *out) {
+    if (file->listed.kind != LISTED_NONE) return arrays_read_listed(file, name, first, count, out);
     foreign_object object;
     foreign_array array;
     whirl_status status = arrays_dataset(file, name, &object);
@@ -385,6 +443,7 @@ whirl_status arrays_read(arrays_file *file, const char *name, const size_t *firs
 whirl_status arrays_text(arrays_file *file, const char *object, const char *attribute, char *text, size_t size) {
     foreign_object own;
     *text = '\0';
+    if (file->listed.kind != LISTED_NONE) return whirl_ok();
     if (arrays_object(file, object, &own)) attribute_text(&file->foreign, &own, attribute, text, size);
     foreign_object_free(&own);
     return arrays_end(file, object);
@@ -393,6 +452,7 @@ whirl_status arrays_text(arrays_file *file, const char *object, const char *attr
 whirl_status arrays_number(arrays_file *file, const char *object, const char *attribute, double *out) {
     foreign_object own;
     *out = NAN;
+    if (file->listed.kind != LISTED_NONE) return whirl_ok();
     if (arrays_object(file, object, &own)) *out = attribute_number(&file->foreign, &own, attribute);
     foreign_object_free(&own);
     return arrays_end(file, object);

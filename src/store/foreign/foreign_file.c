@@ -18,7 +18,7 @@ bool foreign_fail(foreign_file *file, const char *format, ...) {
 }
 
 bool foreign_no_memory(foreign_file *file) {
-    if (file->status.code == WHIRL_OK) file->status = whirl_fail(WHIRL_NO_MEMORY, "no memory for an HDF5 file");
+    if (file->status.code == WHIRL_OK) file->status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a file of numbers");
     return false;
 }
 
@@ -72,7 +72,7 @@ bool foreign_open(foreign_file *file, const byte_source *source) {
     const int reason = foreign_find_superblock(source, 1 << 24, &file->base);
     const uint64_t left = source->size - file->base;
     if (reason) file->status = whirl_fail(WHIRL_IO_ERROR, "cannot be read: %s", strerror(reason));
-    if (reason == 0 && left < MIN_SIZE) return foreign_fail(file, "is no HDF5 file");
+    if (reason == 0 && left < MIN_SIZE) return foreign_fail(file, "is no HDF5, MAT or universal file");
     if (!foreign_read(file, 0, bytes, left < MAX_SIZE ? (size_t)left : MAX_SIZE)) return false;
     const unsigned version = bytes[8];
     plain_part part = {bytes, sizeof bytes, false};

@@ -1,4 +1,5 @@
-/// Arrays of numbers in HDF5 files: those of other programs, and whirl's own.
+/// Arrays of numbers in measured files: HDF5 (also whirl's own results), MAT files before version 7.3, and universal
+/// files (datasets 58 and 58b). Variables and records are called datasets here.
 #ifndef WHIRL_ARRAYS_H
 #define WHIRL_ARRAYS_H
 
@@ -22,17 +23,17 @@ typedef struct arrays_item {
     size_t sizes[ARRAYS_MAX_RANK];
     bool numbers;           ///< false: its values are no real numbers
     const char *described;  ///< its values, in messages: "texts"; static
-    char unit[ARRAYS_TEXT]; ///< its attribute `unit` or `units`; "" without one
+    char unit[ARRAYS_TEXT]; ///< its attribute `unit` or `units` (MAT: variable `x_unit`); "" without one
     double factor;          ///< 1, but for whirl's own numbers in scales of a case
 } arrays_item;
 
-/// Returns true for a file that begins as those of HDF5 do.
+/// Returns true for a file that begins as those of one of the formats do.
 bool arrays_is_file(const char *path);
 
-/// Returns true for an HDF5 file that can be opened and is no result of whirl.
+/// Returns true for such a file that can be opened and is no result of whirl.
 bool arrays_is_foreign(const char *path);
 
-/// Opens a file. WHIRL_BAD_INPUT with a sentence for one that is no HDF5 file, damaged or cut off; WHIRL_IO_ERROR,
+/// Opens a file. WHIRL_BAD_INPUT with a sentence for one of another format, damaged or cut off; WHIRL_IO_ERROR,
 /// WHIRL_NO_MEMORY.
 whirl_status arrays_open(const char *path, arrays_file **out);
 void arrays_close(arrays_file *file);
@@ -40,7 +41,7 @@ void arrays_close(arrays_file *file);
 /// Finds a dataset by its path, "run/x". WHIRL_BAD_INPUT with the nearest name if there is none.
 whirl_status arrays_find(arrays_file *file, const char *name, arrays_item *out);
 
-/// Hands over all datasets with their paths, sorted, up to 10,000.
+/// Hands over all datasets with their paths, up to 10,000: sorted in HDF5 files, in the order of others.
 typedef whirl_status (*arrays_visitor)(void *context, const char *name, const arrays_item *item);
 whirl_status arrays_visit(arrays_file *file, arrays_visitor visit, void *context);
 

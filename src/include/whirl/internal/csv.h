@@ -1,4 +1,5 @@
-/// Tables of numbers: text files with a line of headings, "de x [um]", then rows of numbers; or vectors of HDF5 files.
+/// Tables of numbers: text files with a line of headings, "de x [um]", then rows of numbers; or vectors of HDF5,
+/// MAT and universal files, which are called HDF5 files here.
 #ifndef WHIRL_CSV_H
 #define WHIRL_CSV_H
 
