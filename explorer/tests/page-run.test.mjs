@@ -127,6 +127,9 @@ test('stations that twist are shown in degrees, without an orbit', async () => {
   await below.selectOption({ label: 'Speeds of the stations' });
   const speeds = (await table(page, card('The run over the time'))).rows.at(-1).slice(-4);
   assert.ok(Math.abs(speeds[2] / speeds[1] - 2) < 1e-6, 'the gear doubles the speed');
+  // Without stored turns the panel says so; a run by torques has no force or gap here.
+  assert.match(await page.textContent('.panel-run-torque'), /Compute shows it/);
+  assert.equal(await page.isVisible('.panel-run-force'), false);
   const found = await page.textContent('.run .numbers');
   assert.match(found, /Torques at the cursor/);
   assert.match(found, /132\.2/);
@@ -167,6 +170,123 @@ test('a moved rate gives the run that the command gives', async () => {
   // Reset the parameters to the case.
   await page.click('.run [aria-label="Reset all parameters to the case"], .run >> text=Reset all');
   await computed(page);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+const DRIVEN = `whirl: 1
+title: A rotor that a motor drives past a stator
+rotor:
+  speed: 2 rad/s
+  length_scale: 0.5 m
+  stations:
+    disc: {mass: 1 kg, damping: 0.1 N.s/m, eccentricity: 0.1 m}
+  elements:
+    - spring: {between: [disc, ground], stiffness: 1 N/m}
+    - rub:    {at: disc, gap: 0.12 m, stiffness: 3 N/m, friction: 0.05, law: paper, radius: 0.7 m}
+    - gravity: 0.2 m/s2
+    - drive:  {inertia: 3 kg.m2, torque: 0.2 N.m, no_load_speed: 2 rad/s, load_quadratic: 0.01 N.m.s2}
+study:
+  runup: {duration: 100 s, samples: 64, orbits: 10}
+`;
+
+/// Compares the panels of a turn with the fields of a result file in the turn nearest to a time.
+async function compareTurn(page, name, time, tolerance) {
+  const SAMPLES = 64;
+  // Rows are matched by their numbers: the export leaves out rows without values.
+  const away = (row) => Math.abs(row.at(-1) - time);
+  const { rows: turns } = exported(name, 'orbit_time');
+  const turn = turns.reduce((best, row) => (away(row) < away(best) ? row : best))[2] - 1;
+  const part = (field, columns) => {
+    const { heading, rows } = exported(name, field);
+    const number = heading.indexOf('row');
+    const own = rows.filter((row) => row[number] > turn * SAMPLES && row[number] <= (turn + 1) * SAMPLES);
+    return own.map((row) => row.slice(-columns));
+  };
+  const near = (found, expected, scale, what) => {
+    assert.equal(found.length, SAMPLES, what);
+    assert.equal(expected.length, SAMPLES, what);
+    found.forEach((row, k) =>
+      row.forEach((value, i) =>
+        assert.ok(Math.abs(value - expected[k][i]) <= tolerance * scale, `${what} ${k}: ${row}, ${expected[k]}`),
+      ),
+    );
+  };
+  const shown = async (panel) => (await table(page, panel)).rows;
+  const motion = await shown('.panel-run-motion');
+  near(
+    motion.map((row) => row.slice(0, 1)),
+    motion.map((row, k) => [(360 * k) / SAMPLES]),
+    360,
+    'angle',
+  );
+  near(
+    motion.map((row) => row.slice(1, 2)),
+    part('orbit_instant', 1),
+    10,
+    'instants',
+  );
+  near(
+    motion.map((row) => row.slice(2)),
+    part('orbit', 2),
+    1,
+    'motion',
+  );
+  const force = (await shown('.panel-run-force')).map((row) => row.slice(2));
+  near(force, part('orbit_force', 1), 1, 'force');
+  near(
+    (await shown('.panel-run-gap')).map((row) => row.slice(2)),
+    part('orbit_gap', 1),
+    1,
+    'gap',
+  );
+  const torques = await table(page, '.panel-run-torque');
+  const names = ['motor', 'load', 'friction', 'unbalance and weight'];
+  assert.deepEqual(
+    torques.heading.slice(2),
+    names.map((word) => `${word} (N m)`),
+  );
+  near(
+    torques.rows.map((row) => row.slice(2)),
+    part('orbit_torque', 5).map((row) => row.slice(0, 4)),
+    0.2,
+    'torques',
+  );
+  // Friction is the radius times its share of the force.
+  torques.rows.forEach((row, k) => assert.ok(Math.abs(row[4] + 0.7 * 0.05 * force[k][0]) <= 1e-6));
+  assert.ok(force.some(([value]) => value > 0));
+  assert.ok(force.some(([value]) => value === 0));
+}
+
+test('the turn at the cursor has motion, force, gap and torques', async () => {
+  const driven = makePage('driven', DRIVEN);
+  // Find a turn in which the contact closes and opens.
+  const forces = exported('driven', 'orbit_force').rows;
+  const ofTurn = (row) => forces.filter((force) => Math.ceil(force[3] / 64) === row[2]).map((force) => force.at(-1));
+  const times = exported('driven', 'orbit_time').rows;
+  const which = times.findIndex((row) => ofTurn(row).some((value) => value > 0) && ofTurn(row).includes(0));
+  const time = times[which].at(-1);
+  assert.ok(which > 0 && time > 10);
+  const { page, complaints, close } = await opened(`${driven}#t=${time}&units=scale,rad/s,order,0-p`);
+  await compareTurn(page, 'driven', time, 1e-6);
+  assert.match(await page.textContent('.panel-run-torque .panel-note'), /unbalance and weight/);
+  assert.doesNotMatch(await page.textContent('.panel-run-torque .panel-note'), /films and seals/);
+  assert.equal((await saved(page, '.panel-run-torque', 'svg')).bytes.toString('utf8').slice(0, 4), '<svg');
+  // A time without a kept turn has the motion as a sum of orders, and says how to see the rest.
+  await page.fill('#value-run', String(0.5 * (time + times[which + 1].at(-1))));
+  await page.keyboard.press('Enter');
+  await page.waitForFunction(() => /Compute shows it/.test(document.querySelector('.panel-run-force').textContent));
+  assert.match(await page.textContent('.panel-run-torque .panel-note'), /no samples of this turn are stored/);
+  assert.match(await page.textContent('.panel-run-motion .panel-note'), /sum of orders 1 to 4/);
+  // The page computes all turns, with the digits of the command.
+  await page.click('.run .pane-value >> text=Compute');
+  await computed(page);
+  assert.doesNotMatch(await page.textContent('.panel-run-force'), /Compute shows it/);
+  await page.fill('#value-run', String(time));
+  await page.keyboard.press('Enter');
+  await page.waitForFunction((at) => document.querySelector('#value-run').value === String(at), time);
+  command('run', 'driven.yaml', '--set', 'runup.orbits=400', '-q', '-o', 'all.h5');
+  await compareTurn(page, 'all', time, 1e-9);
   assert.deepEqual(complaints, []);
   await close();
 });

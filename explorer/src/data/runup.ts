@@ -20,6 +20,23 @@ export interface RunOrbit {
   readonly sampled: boolean;
 }
 
+/// Samples at equal angles of a turn from the mark on, besides the motion.
+export interface RunTurn {
+  /// Time of its middle (s) and speed (rad/s).
+  readonly time: number;
+  readonly speed: number;
+  /// Time of every instant since the beginning of the turn, s.
+  readonly instants: Float64Array;
+  /// Normal force (N) and gap (length scales; below 0: pressed in) of every contact.
+  readonly forces: readonly Float64Array[];
+  readonly gaps: readonly Float64Array[];
+  /// Torques on a shaft that a drive turns, then those of motors, couplings and shafts that twist, N m.
+  readonly torques: readonly { readonly name: string; readonly values: Float64Array }[];
+}
+
+/// Torques on the shaft, by the columns of the fields runup/torque and runup/orbit_torque.
+export const SHAFT_TORQUES = ['motor', 'load', 'friction', 'unbalance and weight', 'films and seals'] as const;
+
 /// A torque of a motor, or between two stations: its least and largest value in every row, N m. These rows are equal
 /// parts of the run, with or without the end of a turn.
 export interface RunTorque {
@@ -184,8 +201,8 @@ export class RunUp {
     );
   }
 
-  /// Returns the orbit at a time: samples of the turn if the run has them, else a sum of orders.
-  orbitAt(station: number, time: number): RunOrbit | undefined {
+  /// Returns the number of the kept turn at a time; -1 if none is near.
+  private orbitNear(time: number): number {
     const times = this.column(FIELD.RUNUP_ORBIT_TIME);
     const found = nearestOf(
       Array.from(times.keys()).filter((orbit) => Number.isFinite(times[orbit])),
@@ -194,9 +211,46 @@ export class RunUp {
     const row = this.rowAt(time);
     // Use samples only of this time: those of another time are worse than the sum of a few orders.
     const apart = row < 0 ? 0 : Math.abs((times[found] ?? NaN) - this.time[row]!);
-    if (found >= 0 && apart <= this.duration / Math.max(this.time.length, 1))
-      return this.sampledOrbit(station, found, times[found]!);
+    return apart <= this.duration / Math.max(this.time.length, 1) ? found : -1;
+  }
+
+  /// Returns the orbit at a time: samples of the turn if the run has them, else a sum of orders.
+  orbitAt(station: number, time: number): RunOrbit | undefined {
+    const found = this.orbitNear(time);
+    if (found >= 0) return this.sampledOrbit(station, found, this.column(FIELD.RUNUP_ORBIT_TIME)[found]!);
+    const row = this.rowAt(time);
     return row < 0 ? undefined : this.summedOrbit(station, row);
+  }
+
+  /// Returns forces, gaps and torques within the turn at a time; undefined if the run kept no turn there.
+  turnAt(time: number): RunTurn | undefined {
+    const found = this.orbitNear(time);
+    const times = this.column(FIELD.RUNUP_ORBIT_TIME);
+    const all = this.column(FIELD.RUNUP_ORBIT_INSTANT);
+    if (found < 0 || all.length === 0) return undefined;
+    const samples = all.length / times.length;
+    const part = (values: Float64Array, first = 0) =>
+      values.subarray(first + found * samples, first + (found + 1) * samples);
+    const ofContacts = (field: string) => this.contacts.map((_, i) => part(this.column(field, i)));
+    const onShaft = SHAFT_TORQUES.map((name, i) => ({
+      name,
+      values: part(this.column(FIELD.RUNUP_ORBIT_TORQUE, 0, i)),
+    }));
+    const courses = this.column(FIELD.RUNUP_ORBIT_TORQUE_COURSE);
+    const between = this.torques.map(({ name }, i) => ({ name, values: part(courses, i * all.length) }));
+    return {
+      time: times[found]!,
+      speed: this.column(FIELD.RUNUP_ORBIT_SPEED)[found]!,
+      instants: part(all),
+      forces: ofContacts(FIELD.RUNUP_ORBIT_FORCE),
+      gaps: ofContacts(FIELD.RUNUP_ORBIT_GAP),
+      torques: [...onShaft, ...between].filter(({ values }) => Number.isFinite(values[0])),
+    };
+  }
+
+  /// True if torques turn the shaft; false at a given speed or rate.
+  get driven(): boolean {
+    return this.column(FIELD.RUNUP_TORQUE).some((motor) => Number.isFinite(motor));
   }
 
   private sampledOrbit(station: number, orbit: number, time: number): RunOrbit {

@@ -1,7 +1,7 @@
 // The page of a run-up: its parameters, the run over time and speed, and the turn at the cursor, which can play.
 import { FIELD } from '../data/fields';
 import type { MeasuredData } from '../data/measured';
-import type { RunUp } from '../data/runup';
+import { SHAFT_TORQUES, type RunUp } from '../data/runup';
 import { button, el, isTouched, select, setChoices } from '../dom';
 import type { Range } from '../figure/chart';
 import { shortName } from '../model/machine';
@@ -15,6 +15,7 @@ import { keyElements } from './rest_subject';
 import { RunOverSpeed, RunOverTime, type RunChart } from './run_charts';
 import { RunOrbitPanel, RunSpectrumPanel, RunWaterfallPanel } from './run_panels';
 import { motionMeasures, type RunSubject } from './run_subject';
+import { TurnForcePanel, TurnGapPanel, TurnMotionPanel, TurnPanel, TurnTorquePanel } from './run_turn_panels';
 import { SettingsCard, type SettingsListener } from './settings_card';
 
 export interface RunListener {
@@ -40,8 +41,15 @@ export class RunView {
   private readonly overTime: RunOverTime;
   private readonly overSpeed: RunOverSpeed;
   private readonly cards: readonly ChartCard[];
+  private readonly turnPanels = [
+    new TurnMotionPanel(),
+    new TurnForcePanel(),
+    new TurnGapPanel(),
+    new TurnTorquePanel(),
+  ];
   private readonly panels: readonly Panel<RunSubject>[] = [
     new RunOrbitPanel(),
+    ...this.turnPanels,
     new RunSpectrumPanel(),
     new RunWaterfallPanel(),
   ];
@@ -276,10 +284,10 @@ export class RunView {
     const speed = parameterMeasure('rad/s', units);
     this.state.textContent = row < 0 ? '' : `${shown(run.speed[row]! * speed.factor, 5)} ${speed.unit}`;
     for (const chart of [this.overTime, this.overSpeed]) chart.cursor(subject);
-    // Hide orbit and spectra of a station that only twists, which has none.
+    // Hide panels that have nothing to show: a station that only twists has neither orbit nor spectra.
     for (const panel of this.panels) {
-      panel.root.hidden = subject.info.twists;
-      if (!subject.info.twists) panel.update(subject);
+      panel.root.hidden = !(panel instanceof TurnPanel ? panel.shows(subject) : !subject.info.twists);
+      if (!panel.root.hidden) panel.update(subject);
     }
     this.numbers.replaceChildren(
       ...stationsTable(subject, false),
@@ -365,7 +373,7 @@ function torquesTable({ run, row, units }: RunSubject): HTMLElement[] {
 /// Makes a table of the turns so far, and of the torques, which a run with a prescribed rate does not have.
 function turnTable({ run, row, units }: RunSubject): HTMLElement {
   const torque = parameterMeasure('N m', units);
-  const torques = ['motor', 'load', 'friction', 'unbalance and weight', 'films and seals'].flatMap((name, i) => {
+  const torques = SHAFT_TORQUES.flatMap((name, i) => {
     const value = run.column(FIELD.RUNUP_TORQUE, 0, i)[row] ?? NaN;
     return Number.isFinite(value) ? [{ heading: `${name} (${torque.unit})`, text: shown(value * torque.factor) }] : [];
   });
@@ -384,7 +392,7 @@ function howText(session: Session): string {
   const stored = !model.run;
   const end = stored || model.progress === undefined ? ENDS[runUp?.number(FIELD.RUNUP_END) ?? 0] : undefined;
   const ended = end ? `; ended ${end === ENDS[0] ? end : `since ${end}`}` : '';
-  if (stored) return `Stored run${ended}. Compute shows the orbits of all turns.`;
+  if (stored) return `Stored run${ended}. Compute shows all turns.`;
   if (model.progress !== undefined) return `${model.quick ? 'A quick look' : 'The run'}, computed so far\u2026`;
   const { options, seconds } = result!;
   return (

@@ -1,7 +1,7 @@
 // A run over the time, and over the speed: pairs of charts whose cursors move together.
 import { bandAt, type StoredBand } from '../data/bands';
 import { FIELD } from '../data/fields';
-import type { RunUp } from '../data/runup';
+import { SHAFT_TORQUES, type RunUp } from '../data/runup';
 import { el, select, setChoices, type Choice } from '../dom';
 import { Chart, type Frame, type Range } from '../figure/chart';
 import type { Picture } from '../figure/figure';
@@ -16,7 +16,7 @@ import { drawRows, motionMeasures, scaled, spanOf, type RunSubject } from './run
 import { Stack, type StackListener } from './stack';
 
 /// A line over the rows, in shown units.
-interface Curve {
+export interface Curve {
   readonly text: string;
   readonly values: Float64Array;
   readonly dash: readonly number[];
@@ -26,17 +26,18 @@ interface Curve {
   readonly at?: Float64Array;
 }
 
-const DASHES = [[], [7, 4], [2, 3], [9, 3, 2, 3]] as const;
+const DASHES = [[], [7, 4], [2, 3], [9, 3, 2, 3], [4, 2]] as const;
 const COLOURS: readonly ((colours: Theme) => string)[] = [
   (colours) => colours.x,
   (colours) => colours.y,
   (colours) => colours.muted,
   (colours) => colours.ink,
+  (colours) => colours.touch,
 ];
-const SIGNS = ['\u2501', '\u254d', '\u2508', '\u2505'] as const;
-const KINDS = ['x', 'y', 'plain', 'plain'] as const;
+const SIGNS = ['\u2501', '\u254d', '\u2508', '\u2505', '\u254c'] as const;
+const KINDS = ['x', 'y', 'plain', 'plain', 'unstable'] as const;
 
-function curve(text: string, values: Float64Array, index: number, at?: Float64Array): Curve {
+export function curve(text: string, values: Float64Array, index: number, at?: Float64Array): Curve {
   const style = index % COLOURS.length;
   return { text, values, dash: DASHES[style]!, colour: COLOURS[style]!, ...(at ? { at } : {}) };
 }
@@ -46,7 +47,7 @@ function rowsOf({ at }: Curve, run: RunUp): readonly number[] {
   return at ? Array.from(at.keys()) : run.rows;
 }
 
-function keyOf({ text, dash, colour }: Curve, index: number): Key {
+export function keyOf({ text, dash, colour }: Curve, index: number): Key {
   const style = index % COLOURS.length;
   return lineKey(SIGNS[style]!, KINDS[style]!, text, dash, colour);
 }
@@ -108,7 +109,6 @@ interface Below {
 function belowOf({ run, units }: RunSubject): readonly Below[] {
   const speed = parameterMeasure('rad/s', units);
   const torque = parameterMeasure('N m', units);
-  const torques = ['motor', 'load', 'friction', 'unbalance and weight', 'films and seals'];
   const each = (field: string) => (subject: RunSubject) =>
     run.contacts.map((name, i) => curve(name, subject.run.column(field, i), i));
   const contacts: readonly Below[] =
@@ -136,7 +136,9 @@ function belowOf({ run, units }: RunSubject): readonly Below[] {
       text: 'Torques on the shaft',
       axis: labelled('torque', torque.unit),
       curves: (subject) =>
-        torques.map((name, i) => curve(name, scaled(subject.run.column(FIELD.RUNUP_TORQUE, 0, i), torque.factor), i)),
+        SHAFT_TORQUES.map((name, i) =>
+          curve(name, scaled(subject.run.column(FIELD.RUNUP_TORQUE, 0, i), torque.factor), i),
+        ),
     },
     ...run.torques.map(({ name }, i) => ({
       id: `torque-${i}`,
@@ -503,7 +505,7 @@ function wordsOf({ run, row, station, info, units, scales }: RunSubject): string
 }
 
 /// Sets the choices of a list, unless they are the same.
-function setSame(list: HTMLSelectElement, choices: readonly Choice[], value: string): void {
+export function setSame(list: HTMLSelectElement, choices: readonly Choice[], value: string): void {
   const same =
     choices.length === list.options.length && choices.every((each, i) => list.options[i]!.text === each.text);
   if (!same) setChoices(list, choices, value);

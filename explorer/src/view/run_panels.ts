@@ -13,7 +13,7 @@ import { Panel, type Table } from './panel';
 import { scaled, type RunSubject } from './run_subject';
 import { key } from './waveform';
 
-function placeText({ run, row, units }: RunSubject, time: number, speed: number): string {
+export function placeText({ run, row, units }: RunSubject, time: number, speed: number): string {
   const measure = parameterMeasure('rad/s', units);
   return row < 0 || run.rows.length === 0
     ? 'the first turn is not complete yet'

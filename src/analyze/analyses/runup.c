@@ -278,7 +278,9 @@ static const field_plan fields[FIELD_COUNT] = {
     [ORBIT] = {WHIRL_FIELD_RUNUP_ORBIT, "length",
                "x, y (from the centre, at equal angles of a turn from the mark on, one orbit after another)",
                WHIRL_PER_STATION, 2, runup_every_instant_of_orbits},
-    [ORBIT_INSTANT] = {WHIRL_FIELD_RUNUP_ORBIT_INSTANT, "s", "times of the instants of orbits, one orbit after another",
+    [ORBIT_INSTANT] = {WHIRL_FIELD_RUNUP_ORBIT_INSTANT, "s",
+                       "times of the instants of orbits since the beginning of their turns, which is pi over the speed "
+                       "of the orbit before its time",
                        WHIRL_PER_POINT, 1, runup_every_instant_of_orbits},
     [ORBIT_FORCE] = {WHIRL_FIELD_RUNUP_ORBIT_FORCE, "force", "normal force at the instants of orbits",
                      WHIRL_PER_CONTACT, 1, runup_every_instant_of_orbits},

@@ -86,13 +86,13 @@ static void runup_fill_orbit(const runup_views *views, const double *turn, size_
         for (size_t axis = 0; axis < 2; axis++) out[2 * k + axis] = turn[k * of->width + 1 + 2 * station + axis];
 }
 
-/// Fills the times of the instants of an orbit's turn, and the forces, gaps and torques at them.
+/// Fills the times of the instants of an orbit's turn since its beginning, and the forces, gaps and torques at them.
 static void runup_fill_instants(const runup_views *views, const double *turn, size_t row) {
     const turn_samples *of = &views->samples;
     const size_t first = row * of->samples, all = (size_t)views->options->orbits * of->samples;
     for (size_t k = 0; k < of->samples; k++) {
         const double *contact = turn + k * of->width + 1 + 2 * of->probes, *torque = contact + 2 * of->contacts;
-        view_numbers(views->view, ORBIT_INSTANT, 0)[first + k] = turn[k * of->width];
+        view_numbers(views->view, ORBIT_INSTANT, 0)[first + k] = turn[k * of->width] - turn[0];
         for (size_t c = 0; c < of->contacts; c++) {
             view_numbers(views->view, ORBIT_FORCE, c)[first + k] = contact[2 * c];
             view_numbers(views->view, ORBIT_GAP, c)[first + k] = contact[2 * c + 1];
