@@ -134,6 +134,28 @@ test('stations that twist are shown in degrees, without an orbit', async () => {
   assert.match(found, /Torques at the cursor/);
   assert.match(found, /132\.2/);
   assert.match(found, /57\.92/);
+  // The computed run has twist and torques within the turn, as the command's.
+  await page.click('.run .pane-value >> text=Compute');
+  await computed(page);
+  await page
+    .locator('.panel-run-torque')
+    .getByLabel('Torques', { exact: true })
+    .selectOption({ label: 'motor to wheel' });
+  const within = await table(page, '.panel-run-torque');
+  assert.deepEqual(within.heading.slice(2), ['motor to wheel (N m)']);
+  command('run', 'train.yaml', '--set', 'runup.orbits=1000', '-q', '-o', 'turns.h5');
+  const times = exported('turns', 'orbit_time').rows;
+  const cursor = Number(await page.inputValue('#value-run'));
+  const away = (row) => Math.abs(row.at(-1) - cursor);
+  const turn = times.reduce((best, row) => (away(row) < away(best) ? row : best))[2] - 1;
+  const ofTurn = (field, first) =>
+    exported('turns', field).rows.filter((row) => row.at(-2) > first && row.at(-2) <= first + 128);
+  const torque = ofTurn('orbit_torque_course', (1000 + turn) * 128).map((row) => row.at(-1));
+  assert.equal(torque.length, 128);
+  within.rows.forEach((row, k) => assert.ok(Math.abs(row[2] - torque[k]) <= 1e-9 * largest, `instant ${k}`));
+  assert.ok(Math.max(...torque) - Math.min(...torque) > 10);
+  const twist = await table(page, '.panel-run-motion');
+  assert.deepEqual(twist.heading.slice(2), ['twist (\u00b0)']);
   assert.deepEqual(complaints, []);
   await close();
 });

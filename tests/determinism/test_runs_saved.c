@@ -67,7 +67,8 @@ static const char motor[] =
     "                        decay: 0.08 s}\n"
     "    - drive:           {at: fan, load_quadratic: 3.7e-4 N.m.s2}\n"
     "study:\n"
-    "  runup: {duration: 1.5 s, rows: 60, samples: 32, change: {k: 1400, inertia: 0.3}, change_time: 0.8 s}\n";
+    "  runup: {duration: 1.5 s, rows: 60, samples: 32, orbits: 4, change: {k: 1400, inertia: 0.3}, change_time: 0.8 "
+    "s}\n";
 
 /// A rate after settling, and a dwell.
 static const char settled[] = "whirl: 1\n"

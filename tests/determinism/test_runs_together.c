@@ -84,7 +84,8 @@ static const char *const cases[] = {
          "rate_law: = 2000 + 100*sin(9*time), speed_from: 350 rad/s, speed_to: 600 rad/s, duration: 0.1 s"),
     CASE(PAIR, "650 rad/s", "rate: 3000 rad/s2, speed_from: 350 rad/s, speed_to: 600 rad/s, method: rodas5p"),
     CASE(MOTOR, "6000 rpm",
-         "duration: 2.4 s, drag: no, waveform: 4, slow_roll: 600 rpm, events: [{name: touch, when: = disc_radius > "
+         "duration: 2.4 s, drag: no, orbits: 3, waveform: 4, slow_roll: 600 rpm, events: [{name: touch, when: = "
+         "disc_radius > "
          "0.21e-3, change: {friction: 0.05}}, {after: touch, time: 0.1 s, loss_at: disc, loss_moment: 2e-5 kg.m}, "
          "{time: 2.2 s, trip: yes, change: {k: 2.1e5}}]"),
     CASE(MOTOR, "6000 rpm",

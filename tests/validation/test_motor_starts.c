@@ -86,6 +86,46 @@ static void motor_is_switched_on(void **state) {
     whirl_result_free(result);
 }
 
+/// Within a turn the torque of a shaft without damping is its stiffness times its twist, and that of the motor on the
+/// shaft as a whole is that of its station. Torques are linear between computed instants.
+static void torques_within_a_turn(void **state) {
+    enum { SAMPLES = 512, ORBITS = 12 };
+    (void)state;
+    char rotor[SIZE], study[128];
+    snprintf(rotor, sizeof rotor,
+             "  length_scale: 1 mm\n"
+             "  stations:\n"
+             "    motor: {polar: 0.089 kg.m2, moves: twist}\n"
+             "    load: {polar: 0.4 kg.m2, moves: twist}\n"
+             "  elements:\n"
+             "    - coupling: {between: [motor, load], twist: 1500 N.m/rad}\n"
+             "    - %s\n"
+             "    - drive: {at: load, load_quadratic: %.17g N.m.s2}\n",
+             line_motor, 11.9 / (180.0 * 180.0));
+    snprintf(study, sizeof study, "duration: 0.8 s, rtol: 1e-10, samples: %d, orbits: %d", SAMPLES, ORBITS);
+    whirl_result *result = start(rotor, study);
+    const whirl_table *table = &result->tables[0];
+    const double *course = whirl_table_field(table, 0, WHIRL_FIELD_RUNUP_ORBIT_TORQUE_COURSE, 0);
+    const double *torque = whirl_table_field(table, 0, WHIRL_FIELD_RUNUP_ORBIT_TORQUE, 0);
+    const double *ends[] = {whirl_table_field(table, 0, WHIRL_FIELD_RUNUP_ORBIT, 0),
+                            whirl_table_field(table, 0, WHIRL_FIELD_RUNUP_ORBIT, 1)};
+    double miss[2] = {0.0}, largest = 0.0;
+    size_t compared = 0;
+    for (size_t k = 0; k < (size_t)ORBITS * SAMPLES; k++) {
+        const double twist = 1e-3 * (ends[0][2 * k] - ends[1][2 * k]), shaft = course[(size_t)ORBITS * SAMPLES + k];
+        if (isnan(shaft)) continue;
+        compared++;
+        largest = fmax(largest, fabs(shaft));
+        miss[0] = fmax(miss[0], fabs(shaft - 1500.0 * twist));
+        miss[1] = fmax(miss[1], fabs(torque[5 * k] - course[k]));
+    }
+    check_holds("Motor starts", "torques within turns are compared", compared > 5 * SAMPLES && largest > 50.0);
+    check_within("Motor starts", "torque of the shaft within a turn, off its twist, N m", 0.0, miss[0], 1e-2);
+    check_within("Motor starts", "torque of the motor within a turn, on the shaft and at the station, N m", 0.0,
+                 miss[1], 1e-12);
+    whirl_result_free(result);
+}
+
 /// A motor on a shaft with a million turns behind it starts as one that begins, by time.
 static void a_million_turns_behind(void **state) {
     char study[SIZE];
@@ -497,6 +537,7 @@ static void teeth_bounce(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(motor_is_switched_on),
+                                       cmocka_unit_test(torques_within_a_turn),
                                        cmocka_unit_test(a_million_turns_behind),
                                        cmocka_unit_test(synchronous_motor_starts),
                                        cmocka_unit_test(terminals_are_short_circuited),
