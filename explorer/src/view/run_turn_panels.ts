@@ -1,5 +1,5 @@
-// Panels of one turn of a run at its cursor: the motion of the station, forces and gaps of contacts, and torques, over the
-// time since the mark, or over the angle of the shaft.
+// Panels of one turn of a run at its cursor: the motion of the station, forces and gaps of contacts, and torques, over
+// the time since the mark or over the angle of the shaft.
 import type { RunTurn } from '../data/runup';
 import { select } from '../dom';
 import { Chart, drawZero, type Frame } from '../figure/chart';

@@ -199,31 +199,46 @@ static void turn_list(figure_list *to, const drawing *of, const whirl_table *tab
         if (!of->result->stations[s].twists) turn_add(to, of, table, s, (double)NAN);
 }
 
+/// Returns the listed figure of a turn with this name, in the tables of the drawing; NULL if there is none.
+static const figure_place *turn_listed(const figure_list *list, const drawing *of, const char *name) {
+    for (const figure_place *place = list->items; place < list->items + list->count; place++)
+        if (place->kind == &runup_turn_figure && place->table >= of->result->tables &&
+            place->table < of->result->tables + of->result->table_count &&
+            (strcmp(place->name.name, name) == 0 || strcmp(place->within, name) == 0))
+            return place;
+    return NULL;
+}
+
 /// Finds "runup-turn-STATION@TIME", and the turn of a station that twists.
 static whirl_status turn_find(figure_list *list, const drawing *of, const char *name) {
     double time = NAN;
-    char word[WHIRL_NAME_SIZE];
+    char whole[2 * WHIRL_NAME_SIZE];
+    size_t station = 0;
     if (strncmp(name, turn_stem, strlen(turn_stem)) != 0) return whirl_ok();
     whirl_status status = runup_find(of, name, turn_stem, WHIRL_FIELD_RUNUP_ORBIT_INSTANT, "orbits");
+    // Read the time behind the last @, and the name before it: that of a listed figure, or of a station.
+    const char *const at = strrchr(name, '@');
+    snprintf(whole, sizeof whole, "%.*s", at ? (int)(at - name) : (int)sizeof whole - 1, name);
+    const char *const word = whole + strlen(turn_stem);
+    if (status.code == WHIRL_OK && at) status = whirl_quantity_value(at + 1, "s", &time);
     if (status.code != WHIRL_OK) return status;
-    // Read the station, and the time behind the last @.
-    const char *const own = name + strlen(turn_stem), *const at = strrchr(own, '@');
-    snprintf(word, sizeof word, "%.*s", at ? (int)(at - own) : (int)sizeof word - 1, own);
-    size_t station = 0;
-    while (station < of->result->station_count && strcmp(of->result->stations[station].name, word) != 0) station++;
+    const figure_place *const listed = turn_listed(list, of, whole);
+    while (!listed && station < of->result->station_count && strcmp(of->result->stations[station].name, word) != 0)
+        station++;
+    if (listed) station = listed->station;
     if (station == of->result->station_count) return whirl_fail(WHIRL_BAD_INPUT, "there is no station '%.60s'", word);
-    if (at) status = whirl_quantity_value(at + 1, "s", &time);
-    for (size_t t = 0; t < of->result->table_count && status.code == WHIRL_OK; t++) {
-        const whirl_table *table = &of->result->tables[t];
+    // Show the run of the listed figure, or the first one that kept turns.
+    const whirl_table *const end = of->result->tables + of->result->table_count;
+    for (const whirl_table *table = listed ? listed->table : of->result->tables; table < end; table++) {
         size_t runs[MAX_RUNS];
         if (!table_has(table, WHIRL_FIELD_RUNUP_ORBIT_INSTANT) || runup_list_runs(table, runs) == 0) continue;
-        const double end = whirl_table_number(table, runs[0], WHIRL_FIELD_RUNUP_END_TIME, 0);
-        if (at && !(time >= 0.0 && time <= end * (1.0 + 1e-9)))
+        const double last = whirl_table_number(table, runs[0], WHIRL_FIELD_RUNUP_END_TIME, 0);
+        if (at && !(time >= 0.0 && time <= last * (1.0 + 1e-9)))
             return whirl_fail(WHIRL_BAD_INPUT, "the time is '%.60s', expected 0 to %.6g s, the end of the run", at + 1,
-                              end);
-        if (turn_add(list, of, table, station, time)) return status;
+                              last);
+        if (turn_add(list, of, table, station, time)) break;
     }
-    return status;
+    return whirl_ok();
 }
 
 const figure_kind runup_turn_figure = {.list = turn_list, .describe = turn_describe, .find = turn_find};
