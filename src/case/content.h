@@ -34,6 +34,9 @@ struct whirl_case {
 /// Returns true if an expression depends on a parameter, directly or through other parameters (uses.c).
 bool case_depends(const case_content *content, const char *expression, const char *name);
 
+/// Returns true if an expression depends on a parameter that a batch varies or sets.
+bool case_depends_on_batch(const case_content *content, const char *expression, const whirl_batch *batch);
+
 /// Returns the first number of some settings (including lists) that depends on a parameter; NULL if none does.
 const setting *case_list_depends(const case_content *content, const setting_list *list, const char *name);
 

@@ -369,27 +369,13 @@ static whirl_status scale_at(const case_content *content, const whirl_batch *bat
     return status;
 }
 
-/// Returns true if an expression depends on a parameter that a batch varies or sets.
-static bool depends_on_batch(const case_content *content, const char *expression, const whirl_batch *batch) {
-    const char *const names[] = {batch->parameter, batch->second, batch->third};
-    for (size_t i = 0; i < 3; i++)
-        if (*names[i] && case_depends(content, expression, names[i])) return true;
-    for (size_t i = 0; i < batch->given_count; i++)
-        if (case_depends(content, expression, batch->given[i].name)) return true;
-    for (int i = 0; i < batch->tolerances.parameters; i++)
-        if (case_depends(content, expression, batch->tolerated[i].name)) return true;
-    for (size_t i = 0; batch->dataset && i < batch->dataset->parameter_count; i++)
-        if (case_depends(content, expression, batch->dataset->parameters[i])) return true;
-    return false;
-}
-
 /// Finds the length scale of every point of a table, if a parameter changes it.
 static whirl_status describe_scales(const case_content *content, const whirl_result *result, whirl_table *table) {
     const setting *given = settings_find(&content->machine.rotor, "length_scale");
     const char *expression = given ? given->value.expression : NULL;
     const size_t index = plan_batch(&content->plan, table->name);
     const whirl_batch *batch = &content->plan.batches[index < content->plan.batch_count ? index : 0];
-    if (index == content->plan.batch_count || !expression || !depends_on_batch(content, expression, batch))
+    if (index == content->plan.batch_count || !expression || !case_depends_on_batch(content, expression, batch))
         return whirl_ok();
     double *scales = malloc((table->count + 1) * sizeof *scales);
     whirl_status status =

@@ -17,7 +17,7 @@ typedef struct member {
     double *influence;              ///< [stations][stations]
     double changed_speed;           ///< rad/s, of the drive without load after a change; 0: none
     course_run *course;             ///< events and laws of a run-up, or NULL
-    whirl_runup_options run;        ///< options of the run of a record
+    whirl_runup_options run;        ///< options of its own of a run
     bool recorded;                  ///< `run` is set
 } member;
 
@@ -82,10 +82,16 @@ static whirl_status make_statics(const case_content *content, const whirl_batch 
     return machine_statics(&content->machine, v, batch->record.coupling, m->statics, m->influence);
 }
 
+/// Returns the places of a batch in the case, or NULL.
+static const plan_origin *family_origin(const case_content *content, const whirl_batch *batch) {
+    const size_t index = plan_batch(&content->plan, batch->name);
+    return index < content->plan.batch_count ? &content->plan.origins[index] : NULL;
+}
+
 /// Returns the events and laws of a batch's runs, or NULL.
 static const course_parts *family_course(const case_content *content, const whirl_batch *batch) {
-    const size_t index = plan_batch(&content->plan, batch->name);
-    return index < content->plan.batch_count ? content->plan.origins[index].course : NULL;
+    const plan_origin *origin = family_origin(content, batch);
+    return origin ? origin->course : NULL;
 }
 
 /// Evaluates the parameters of a requested machine, as changed by the events of its run that have happened.
@@ -127,16 +133,49 @@ static double run_length(const whirl_runup_options *options) {
     return options->duration > 0.0 || options->rate > 0.0 ? whirl_runup_duration(options) : 0.0;
 }
 
+/// Evaluates the numbers of a run at the parameters of its machine. The tolerance and the highest order of spectra are
+/// those of the batch, and so is whether something happens at all.
+static whirl_status run_numbers(const setting_list *keys, const whirl_runup_options *batch, valuation *v,
+                                whirl_runup_options *options) {
+    static const char *const may_vanish[] = {"runup_from", "runup_angle", "runup_settle", "runup_loss_moment",
+                                             "runup_loss_angle"};
+    whirl_runup_options own = *batch;
+    *options = *batch;
+    settings_take(v, keys, whirl_runup_members(), &own);
+    for (const whirl_member *m = whirl_runup_members(); m->part; m++) {
+        if (m->type != WHIRL_MEMBER_NUMBER || !m->name || m->offset == offsetof(whirl_runup_options, highest_order) ||
+            m->offset == offsetof(whirl_runup_options, rtol))
+            continue;
+        double *to = (double *)((char *)options + m->offset);
+        const double number = *(const double *)((const char *)&own + m->offset);
+        bool vanishes = (number == 0.0) != (*to == 0.0);
+        for (size_t i = 0; i < sizeof may_vanish / sizeof *may_vanish; i++)
+            vanishes = vanishes && strcmp(m->name, may_vanish[i]) != 0;
+        if (vanishes)
+            return whirl_fail(WHIRL_BAD_INPUT, "%s is %.10g here and %.10g at the parameters of the case, expected %s",
+                              m->key.name, number, *to, *to == 0.0 ? "0 for all runs" : "another number than 0");
+        *to = number;
+    }
+    return whirl_ok();
+}
+
 /// Makes the course of a run, and checks it and the options against the rotor.
 static whirl_status make_run(const case_content *content, const whirl_batch *batch, double value, valuation *v,
                              member *m) {
     // Check the options against the drive.
     const course_parts *parts = family_course(content, batch);
+    const plan_origin *origin = family_origin(content, batch);
     const whirl_runup_options *options = &batch->record.runup;
+    whirl_status status = whirl_ok();
+    if (!batch->dataset && origin && origin->runup) {
+        status = run_numbers(origin->runup, options, v, &m->run);
+        options = &m->run;
+        m->recorded = true;
+    }
     const bool driven = whirl_runup_driven(options);
     double highest = 0.0;
     const bool has_drive = whirl_rotor_drive(m->rotor, &highest);
-    whirl_status status = whirl_runup_check(options, has_drive, highest);
+    if (status.code == WHIRL_OK) status = whirl_runup_check(options, has_drive, highest);
     if (status.code == WHIRL_OK) status = whirl_running_check(whirl_rotor_system(m->rotor), driven);
     // Machines within a run, after events or at other speeds, have no course of their own.
     if (status.code != WHIRL_OK || !parts || batch->happened_count > 0 || batch->speed != 0.0) return status;
@@ -144,7 +183,6 @@ static whirl_status make_run(const case_content *content, const whirl_batch *bat
     if (status.code == WHIRL_OK)
         status = course_make_shafts(parts, v, whirl_rotor_system(m->rotor), run_length(options), m->course);
     if (status.code == WHIRL_OK && batch->dataset) {
-        const plan_origin *origin = &content->plan.origins[plan_batch(&content->plan, batch->name)];
         m->recorded = true;
         status = dataset_run(origin->runup, batch, v, m->course, &m->run);
     } else if (status.code == WHIRL_OK)

@@ -628,6 +628,22 @@ static void take_starts(case_reader *reader, valuation *v, const plan_parts *par
     check_starts(reader, parts, grid ? grid->place : plan_place(&parts->starts, "count"), batch);
 }
 
+const setting_list *plan_keep_keys(case_reader *reader, const setting_list *keys) {
+    setting_list *kept = keys ? arena_take(reader->arena, sizeof *kept) : NULL;
+    reader->no_memory = reader->no_memory || (keys && !kept);
+    if (kept) *kept = *keys;
+    return kept;
+}
+
+void plan_keep_options(case_reader *reader, const plan_parts *parts, const whirl_batch *batch, plan_origin *origin) {
+    const bool found = whirl_analysis_kind(batch->analyses)->found;
+    origin->options[0] = plan_keep_keys(reader, &parts->integrate);
+    origin->options[1] = plan_keep_keys(reader, &parts->keep);
+    origin->options[2] = plan_keep_keys(reader, found                              ? &parts->branch
+                                                : batch->role == WHIRL_ROLE_DETAIL ? &parts->detail
+                                                                                   : NULL);
+}
+
 void plan_finish_points(case_reader *reader, valuation *v, const plan_parts *parts, const study_plan *plan,
                         whirl_batch *batch) {
     settings_take(v, &parts->study, whirl_batch_members(), batch);
@@ -663,6 +679,7 @@ void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study
         whirl_batch *batch = &result->batches[i];
         batch->integrate = integrate;
         batch->record = record;
+        plan_keep_options(reader, parts, batch, &result->origins[i]);
         if (whirl_analysis_kind(batch->analyses)->found)
             finish_found(v, parts, batch);
         else

@@ -13,6 +13,10 @@
 bool plan_formula_value(case_reader *reader, valuation *v, const file_node *where, const number_formula *formula,
                         double *value);
 
+/// Copies a list of keys to memory that lasts as long as the case; NULL for NULL or without memory, which the reader
+/// notes.
+const setting_list *plan_keep_keys(case_reader *reader, const setting_list *keys);
+
 /// Returns the origin of the batch that is added next.
 plan_origin *plan_next_origin(study_plan *result);
 
@@ -41,6 +45,9 @@ double plan_smallest_gap(const whirl_system *system);
 /// Lowers the absolute tolerance of a batch to 1e-9 of the machine's smallest gap, unless `integrate` gives one: so
 /// that a large length scale does not make the motion in a small gap coarse.
 void plan_lower_tolerance(const plan_parts *parts, const whirl_system *system, whirl_batch *batch);
+
+/// Keeps the keys of the options of a batch of motions in its origin.
+void plan_keep_options(case_reader *reader, const plan_parts *parts, const whirl_batch *batch, plan_origin *origin);
 
 /// Sets the starts of a batch of motions, and their options.
 void plan_finish_points(case_reader *reader, valuation *v, const plan_parts *parts, const study_plan *plan,

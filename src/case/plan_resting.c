@@ -295,9 +295,15 @@ static void make_one(case_reader *reader, valuation *v, const plan_parts *parts,
     if (!batch) return;
     memcpy(batch->name, name, sizeof batch->name);
     // Finish it as a study of motions, or at rest.
-    result->origins[result->batch_count - 1].course = resting->course;
+    plan_origin *origin = &result->origins[result->batch_count - 1];
+    origin->course = resting->course;
+    if (keys->group == &schema_at_rest[SCHEMA_AT_REST_runup])
+        origin->runup = plan_keep_keys(reader, keys);
+    else
+        origin->options[PLAN_OWN_OPTIONS] = plan_keep_keys(reader, keys);
     batch->given = given;
     batch->given_count = condition ? condition->count : 0;
+    if (keys->group == &schema_motions) plan_keep_options(reader, parts, batch, origin);
     if (keys->group == &schema_motions)
         finish_moving(reader, v, parts, resting, result, batch);
     else

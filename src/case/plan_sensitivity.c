@@ -50,9 +50,9 @@ void sensitivity_read(case_reader *reader, plan_parts *parts) {
 
 /// Returns true for a batch whose points have derivatives.
 static bool sensitivity_fits(const whirl_batch *batch) {
-    return batch->role == WHIRL_ROLE_POINT || batch->role == WHIRL_ROLE_SURVEY || batch->role == WHIRL_ROLE_BRANCHES ||
-           (batch->role == WHIRL_ROLE_REST && !whirl_analysis_has(batch->analyses, "fit") &&
-            !whirl_analysis_has(batch->analyses, "runup"));
+    return batch->role == WHIRL_ROLE_POINT || batch->role == WHIRL_ROLE_SURVEY || batch->role == WHIRL_ROLE_MAP ||
+           batch->role == WHIRL_ROLE_BRANCHES ||
+           (batch->role == WHIRL_ROLE_REST && !whirl_analysis_has(batch->analyses, "fit"));
 }
 
 void sensitivity_make(case_reader *reader, const valuation *v, const plan_parts *parts, study_plan *result) {
@@ -91,6 +91,7 @@ void sensitivity_make(case_reader *reader, const valuation *v, const plan_parts 
     if (!any)
         problem_at_key(
             reader->problems, own->keys.place,
-            "needs a response, a sweep, a branch or a study of machines at rest, whose numbers it differentiates");
+            "needs a response, a sweep, a map, a branch, a run-up or a study of machines at rest, whose numbers it "
+            "differentiates");
     result->derivatives = derivatives;
 }

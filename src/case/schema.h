@@ -48,15 +48,20 @@ typedef struct plan_range {
                     ///< evenly
 } plan_range;
 
+/// Lists of options of a batch: `integrate`, `keep`, those of points in detail or branches, and those of its study.
+enum { PLAN_OPTIONS = 4, PLAN_OWN_OPTIONS = PLAN_OPTIONS - 1 };
+
 /// Places of a batch in the case.
 typedef struct plan_origin {
     const struct course_parts *course; ///< events and laws of a run-up, or NULL
-    const setting_list *runup;         ///< keys of the run of a data set's records, whose values differ; or NULL
-    const file_node *place;            ///< place of the whole batch
-    const file_node *const *each;      ///< [count] places of the values, if each has one; NULL: only the ends have
-    const file_node *first, *last;     ///< places of the ends of the sweep
-    const file_node *across;           ///< place of the last value from row to row of a map
-    const file_node *planes;           ///< place of the last value from plane to plane of a map
+    const setting_list *runup; ///< keys of a run-up, or of the run of a data set's records, whose numbers differ from
+                               ///< point to point; or NULL
+    const setting_list *options[PLAN_OPTIONS]; ///< keys that have one value for all points, or NULL
+    const file_node *place;                    ///< place of the whole batch
+    const file_node *const *each;  ///< [count] places of the values, if each has one; NULL: only the ends have
+    const file_node *first, *last; ///< places of the ends of the sweep
+    const file_node *across;       ///< place of the last value from row to row of a map
+    const file_node *planes;       ///< place of the last value from plane to plane of a map
     whirl_unit units[3]; ///< units of the values, where they differ from the parameter's; size 0: the parameter's
     double end;          ///< end that the steps of the sweep do not reach; NaN if they reach it
     bool rest;           ///< points start from zero instead of the initial state

@@ -133,6 +133,19 @@ bool case_depends(const case_content *content, const char *expression, const cha
     return d.found;
 }
 
+bool case_depends_on_batch(const case_content *content, const char *expression, const whirl_batch *batch) {
+    const char *const names[] = {batch->parameter, batch->second, batch->third};
+    for (size_t i = 0; i < 3; i++)
+        if (*names[i] && case_depends(content, expression, names[i])) return true;
+    for (size_t i = 0; i < batch->given_count; i++)
+        if (case_depends(content, expression, batch->given[i].name)) return true;
+    for (int i = 0; i < batch->tolerances.parameters; i++)
+        if (case_depends(content, expression, batch->tolerated[i].name)) return true;
+    for (size_t i = 0; batch->dataset && i < batch->dataset->parameter_count; i++)
+        if (case_depends(content, expression, batch->dataset->parameters[i])) return true;
+    return false;
+}
+
 const setting *case_list_depends(const case_content *content, const setting_list *list, const char *name) {
     for (size_t i = 0; i < list->count; i++) {
         const setting *number;

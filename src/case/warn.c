@@ -273,6 +273,41 @@ static void warn_of_parts(warner *w) {
     for (size_t i = 0; i < machine->element_count; i++) warn_of_keys(w, &machine->elements[i]);
 }
 
+/// Returns true if a number depends on a parameter by which the points of a batch are differentiated.
+static bool is_differentiated(const warner *w, const char *expression, const whirl_batch *batch) {
+    const whirl_derivatives *by = batch->derivatives;
+    for (size_t p = 0; by && p < by->parameter_count; p++)
+        if (case_depends(w->content, expression, by->parameters[p].name)) return true;
+    return false;
+}
+
+/// Warns of an option that depends on what differs between the points of a batch, which all have the same option.
+static void warn_of_option(warner *w, const whirl_batch *batch, const setting *option) {
+    // Ends and values of an axis may begin at the value of the case.
+    static const char *const along[] = {"from", "to", "values", "step", "points", "at", "begin"};
+    char path[160], text[WHIRL_MESSAGE_SIZE];
+    const char *expression = option->key ? option->value.expression : NULL;
+    for (size_t i = 0; i < sizeof along / sizeof *along && expression; i++)
+        if (strcmp(option->key->name, along[i]) == 0) return;
+    if (!expression) return;
+    const bool varies = case_depends_on_batch(w->content, expression, batch);
+    if (!varies && !is_differentiated(w, expression, batch)) return;
+    node_path(option->place, path, sizeof path);
+    snprintf(text, sizeof text, "is = %.80s, %s", expression,
+             varies ? "which the study varies: all points have the value of the case"
+                    : "by which the study differentiates: the derivatives leave out what this option changes");
+    warn(w, path, text);
+}
+
+static void warn_of_options(warner *w, const whirl_batch *batch, const plan_origin *origin) {
+    for (size_t l = 0; l < PLAN_OPTIONS; l++)
+        for (size_t i = 0; origin->options[l] && i < origin->options[l]->count; i++) {
+            const setting *number;
+            const size_t count = setting_numbers(&origin->options[l]->items[i], &number);
+            for (size_t k = 0; k < count; k++) warn_of_option(w, batch, &number[k]);
+        }
+}
+
 // ---------------------------------------------------------------- ranges
 
 /// Warns of `count` equal values, one every `stride`.
@@ -310,6 +345,7 @@ whirl_status case_warn(const case_content *content, whirl_result *result) {
         const whirl_batch *batch = &content->plan.batches[i];
         const char *name;
         size_t count;
+        warn_of_options(&w, batch, &content->plan.origins[i]);
         if (!whirl_batch_values(batch, 0, &name, &count)) {
             warn_of_point(&w, batch, 0);
             continue;

@@ -11,6 +11,7 @@
 #include "support_study.h"
 #include "whirl/engine.h"
 
+#include <complex.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -160,6 +161,140 @@ static size_t compare_with_studies(const char *format, double p, const char *nam
     return compared;
 }
 
+// ---------------------------------------------------------------- run-ups
+
+/// A disc on a spring whose speed grows at a constant rate through resonance, w = 10 rad/s.
+static const char passage[] = "whirl: 1\n"
+                              "parameters: {k: 100 N/m, c: 0.4, m: 1 kg, e: 1 mm, rate: 1 rad/s2}\n"
+                              "rotor:\n"
+                              "  speed: 5 rad/s\n"
+                              "  length_scale: %s\n"
+                              "  rotation: %s\n"
+                              "  stations:\n"
+                              "    disc: {mass: = m, eccentricity: = e}\n"
+                              "  elements:\n"
+                              "    - spring: {between: [disc, ground], along: xy, stiffness: = k, damping: = c}\n"
+                              "study:\n"
+                              "  runup: {speed_from: 5 rad/s, speed_to: 17 rad/s, rate: = rate, rtol: 1e-12}\n"
+                              "  sensitivity:\n"
+                              "    parameters: [k, c, m, e, rate]\n"
+                              "    of:\n"
+                              "      - {field: runup/peak, at: disc}\n"
+                              "      - {field: runup/peak_speed, at: disc}\n";
+
+enum { PASSED = 5 }; ///< parameters of the passage
+
+/// z, z' and their derivatives by k, c, m, e and the rate.
+typedef struct passed {
+    double complex z[1 + PASSED], v[1 + PASSED];
+} passed;
+
+/// Computes the slopes of z'' = e (w^2 - i w') exp(i theta) - (c z' + k z)/m with w = 5 + rate t, and of the
+/// derivatives of z, in terms of the equation's derivatives by each parameter.
+static passed passage_slopes(double t, const passed *at) {
+    const double k = 100.0, c = 0.4, m = 1.0, e = 1e-3, rate = 1.0, w = 5.0 + rate * t;
+    const double complex turned = cexp(I * (5.0 * t + 0.5 * rate * t * t)), pulled = w * w - I * rate;
+    const double complex z = at->z[0], v = at->v[0];
+    const double complex by[1 + PASSED] = {
+        e * pulled * turned,       0.0 - z / m,     0.0 - v / m,
+        (c * v + k * z) / (m * m), pulled * turned, e * turned * (2.0 * w * t - I + 0.5 * I * t * t * pulled)};
+    passed slope;
+    for (size_t i = 0; i <= PASSED; i++) {
+        slope.z[i] = at->v[i];
+        slope.v[i] = by[i] - (c * at->v[i] + k * at->z[i]) / m;
+    }
+    return slope;
+}
+
+/// Takes a step by the method of Runge and Kutta.
+static void passage_step(double t, double h, passed *at) {
+    static const double share[] = {0.5, 0.5, 1.0}, weight[] = {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};
+    passed end = *at, slope = passage_slopes(t, at);
+    for (int stage = 0; stage < 4; stage++) {
+        passed next = *at;
+        for (size_t i = 0; i <= PASSED; i++) {
+            end.z[i] += h * weight[stage] * slope.z[i];
+            end.v[i] += h * weight[stage] * slope.v[i];
+            if (stage == 3) continue;
+            next.z[i] += h * share[stage] * slope.z[i];
+            next.v[i] += h * share[stage] * slope.v[i];
+        }
+        if (stage < 3) slope = passage_slopes(t + h * share[stage], &next);
+    }
+    *at = end;
+}
+
+/// Returns half the slope of |z|^2.
+static double passage_growth(const passed *at) {
+    return creal(conj(at->z[0]) * at->v[0]);
+}
+
+/// Computes the largest radius of the passage and the speed there, with their derivatives: radius and speed
+/// [1 + PASSED].
+static void passage_peak(double *radius, double *speed) {
+    const double h = 1e-4;
+    passed at = {{0.0}, {0.0}}, peak = at;
+    double most = 0.0, when = 0.0;
+    for (size_t i = 0; i < 120000; i++) {
+        const double t = (double)i * h;
+        passed next = at;
+        passage_step(t, h, &next);
+        if (passage_growth(&at) > 0.0 && passage_growth(&next) <= 0.0 && cabs(at.z[0]) > most) {
+            // Find the peak within the step by Newton's method.
+            double part = 0.0;
+            for (int round = 0; round < 8; round++) {
+                peak = at;
+                passage_step(t, part, &peak);
+                const passed slope = passage_slopes(t + part, &peak);
+                const double bend = creal(conj(slope.z[0]) * peak.v[0] + conj(peak.z[0]) * slope.v[0]);
+                part -= passage_growth(&peak) / bend;
+            }
+            peak = at;
+            passage_step(t, part, &peak);
+            most = cabs(peak.z[0]);
+            when = t + part;
+        }
+        at = next;
+    }
+    // Derive the largest value, and its time from the derivatives of the slope, which is 0 there.
+    const passed slope = passage_slopes(when, &peak);
+    const double bend = creal(conj(slope.z[0]) * peak.v[0] + conj(peak.z[0]) * slope.v[0]);
+    radius[0] = most;
+    speed[0] = 5.0 + when;
+    for (size_t p = 1; p <= PASSED; p++) {
+        radius[p] = creal(conj(peak.z[0]) * peak.z[p]) / most;
+        const double later = 0.0 - creal(conj(peak.z[p]) * peak.v[0] + conj(peak.z[0]) * peak.v[p]) / bend;
+        speed[p] = later + (p == PASSED ? when : 0.0);
+    }
+}
+
+static void test_a_passage_of_resonance(void **state) {
+    (void)state;
+    static const char *const scales[] = {"1 mm", "3.7 m"}, *const rotations[] = {"counter-clockwise", "clockwise"};
+    double radius[1 + PASSED], speed[1 + PASSED];
+    char text[SIZE];
+    passage_peak(radius, speed);
+    for (size_t i = 0; i < 4; i++) {
+        snprintf(text, sizeof text, passage, scales[i / 2], rotations[i % 2]);
+        whirl_result *result = result_of_text(text);
+        const whirl_table *table = whirl_result_table(result, "runup");
+        const double *values = whirl_table_field(table, 0, WHIRL_FIELD_SENSITIVITY_PARAMETERS, 0);
+        worst = 0.0;
+        assert_close(number_of(table, 0, 0) / radius[0], 1.0, 1e-9);
+        assert_close(number_of(table, 0, 1) / speed[0], 1.0, 1e-9);
+        for (size_t p = 0; p < PASSED; p++) {
+            assert_close(change_of(table, 0, 0, p, 1e-6), radius[1 + p] * values[p] / radius[0], 1e-6);
+            assert_close(change_of(table, 0, 1, p, 1e-6), speed[1 + p] * values[p] / speed[0], 1e-6);
+        }
+        check_within("Derived",
+                     words("peak of a run-up through resonance and its speed, %s, %s: 12 numbers and changes, largest "
+                           "difference",
+                           scales[i / 2], rotations[i % 2]),
+                     0.0, worst, 1e-6);
+        whirl_result_free(result);
+    }
+}
+
 /// A rigid rotor in a film, which becomes unstable as it turns faster: the threshold by the clearance.
 static const char threshold[] = "whirl: 1\n"
                                 "parameters: {p: %s m, s: 100 rad/s}\n"
@@ -280,6 +415,54 @@ static void test_a_motion_that_rubs(void **state) {
     whirl_result_free(result);
 }
 
+/// A rotor that rubs, in a map of its speed and damping and in sweeps of one of them.
+static const char plane[] = "whirl: 1\n"
+                            "parameters: {s: %s, c: %s, mu: 0.05}\n"
+                            "rotor:\n"
+                            "  speed: = s\n"
+                            "  length_scale: 1 m\n"
+                            "  stations:\n"
+                            "    disc: {mass: 1 kg, damping: = c, eccentricity: 0.9 m}\n"
+                            "  elements:\n"
+                            "    - shaft: {between: [disc, ground], k1: 1 N/m, k2: 1 N/m}\n"
+                            "    - rub: {at: disc, gap: 1.2 m, stiffness: 10, friction: = mu, law: paper}\n"
+                            "study:\n"
+                            "  %s\n"
+                            "  integrate: {method: dop853, transient: 100, record: 16}\n"
+                            "  analyze: [regime, orbit, spectrum]\n"
+                            "  sensitivity: {parameters: [s, c, mu]}\n";
+
+static void test_a_map(void **state) {
+    (void)state;
+    enum { ACROSS = 3, UP = 2 };
+    static const char *const speeds[] = {"0.8 rad/s", "1 rad/s", "1.2 rad/s"}, *const dampings[] = {"0.2", "0.3"};
+    char text[SIZE];
+    size_t compared = 0;
+    snprintf(text, sizeof text, plane, speeds[0], dampings[0],
+             "map: {x: {parameter: s, values: [0.8 rad/s, 1 rad/s, 1.2 rad/s]}, y: {parameter: c, values: [0.2, "
+             "0.3]}}");
+    whirl_result *map = result_of_text(text);
+    const whirl_table *of_map = whirl_result_table(map, "map");
+    worst = 0.0;
+    for (size_t i = 0; i < ACROSS * UP; i++) {
+        snprintf(text, sizeof text, plane, speeds[i % ACROSS], dampings[i / ACROSS], "response: {}");
+        whirl_result *response = result_of_text(text);
+        const whirl_table *alone = whirl_result_table(response, "response");
+        const size_t numbers = whirl_layout_field(&alone->layout, WHIRL_FIELD_SENSITIVITY_NUMBERS)->rows;
+        for (size_t n = 0; n < numbers; n++)
+            for (size_t p = 0; p < 3; p++) {
+                const double expected = change_of(alone, 0, n, p, 1e-9);
+                assert_close(change_of(of_map, i, n, p, 1e-9), expected, 1e-10 * fmax(1.0, fabs(expected)));
+                compared++;
+            }
+        whirl_result_free(response);
+    }
+    whirl_result_free(map);
+    check_within("Derived",
+                 words("a map of a rotor that rubs, and single motions: %zu changes, largest difference", compared),
+                 0.0, worst, 1e-10);
+}
+
 /// A chaotic motion has no derivatives.
 static void test_chaos_has_none(void **state) {
     (void)state;
@@ -347,12 +530,10 @@ static void test_special_points(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_disc_on_a_spring),
-        cmocka_unit_test(test_a_threshold),
-        cmocka_unit_test(test_springs_in_place_of_bearings),
-        cmocka_unit_test(test_a_motion_that_rubs),
-        cmocka_unit_test(test_chaos_has_none),
-        cmocka_unit_test(test_special_points),
+        cmocka_unit_test(test_a_disc_on_a_spring), cmocka_unit_test(test_a_passage_of_resonance),
+        cmocka_unit_test(test_a_threshold),        cmocka_unit_test(test_springs_in_place_of_bearings),
+        cmocka_unit_test(test_a_motion_that_rubs), cmocka_unit_test(test_a_map),
+        cmocka_unit_test(test_chaos_has_none),     cmocka_unit_test(test_special_points),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -10,6 +10,7 @@
 #include "map_cells.h"
 #include "quantities.h"
 #include "regimes.h"
+#include "sensitivity_view.h"
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/descriptor.h"
 #include "whirl/engine/result.h"
@@ -84,6 +85,12 @@ static double field_of(const map_drawing *map, size_t point, size_t station) {
     return shown_number(map->of, map->place, point, 0);
 }
 
+static double change_of(const map_drawing *map, size_t point, size_t station) {
+    const size_t parameters = sensitivity_parameters(map->table), which = map->place->which;
+    (void)station;
+    return sensitivity_of(map->table, point, which / parameters, which % parameters).change;
+}
+
 static double coexisting_of(const map_drawing *map, size_t point, size_t station) {
     (void)station;
     return map->table->attractors ? (double)map->table->attractors[point].coexisting : (double)NAN;
@@ -133,6 +140,14 @@ static void scale_exponents(whirl_colour_scale *scale, span range) {
     scale->count = sizeof around_zero / sizeof *around_zero;
 }
 
+static void scale_around_zero(whirl_colour_scale *scale, span range) {
+    const double size = fmax(fabs(range.low), fabs(range.high));
+    scale->low = size > 0.0 ? -size : -1.0;
+    scale->high = -scale->low;
+    scale->colours = around_zero;
+    scale->count = sizeof around_zero / sizeof *around_zero;
+}
+
 static const map_quantity quantities[] = {
     {"basins", "Basins of attraction", "", attractor_of, NULL, false},
     {"map-regime", "Regimes", "", regime_of, NULL, false},
@@ -150,6 +165,9 @@ enum { BASINS, REGIMES, QUANTITIES = sizeof quantities / sizeof *quantities };
 
 /// The quantity of a figure of any field.
 static const map_quantity of_field = {"", "", "", field_of, scale_as_found, false};
+
+/// The quantity of a figure of sensitivities.
+static const map_quantity of_change = {"", "", "", change_of, scale_around_zero, false};
 
 // ---------------------------------------------------------------- cells
 
@@ -347,8 +365,9 @@ static void write_caption(const map_drawing *map, const map_quantity *what, size
                  "their shares "
                  "of all starts; starts without a verdict are white.",
                  table->parameter, table->second, map->attractor_count, map->attractor_count == 1 ? "" : "s");
-    } else if (what == &of_field) {
-        snprintf(text, sizeof text, "%.450s.", map->figure->title);
+    } else if (what == &of_field || what == &of_change) {
+        snprintf(text, sizeof text, "%.420s%s.", map->figure->title,
+                 what == &of_change ? "; white where it is 0 or missing" : "");
     } else {
         const char *name = what->per_station ? map->of->result->stations[station].name : "";
         snprintf(text, sizeof text, "%s%s%s over %s and %s%s.", what->title, *name ? " of " : "", name,
@@ -394,7 +413,9 @@ static void map_list(figure_list *to, const drawing *of, const whirl_table *tabl
 void map_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
     // Choose the quantity, and make memory for its values.
     const whirl_table *table = place->table;
-    const map_quantity *what = place->field ? &of_field : &quantities[place->which];
+    const map_quantity *what = place->field                         ? &of_field
+                               : place->kind == &sensitivity_figure ? &of_change
+                                                                    : &quantities[place->which];
     const size_t planes = plane_count(table);
     map_drawing map = {.of = of, .place = place, .table = table, .figure = figure};
     double *of_points = malloc((table->count + 1) * sizeof *of_points);
@@ -419,6 +440,7 @@ void map_describe(const drawing *of, const figure_place *place, whirl_figure *fi
         if (what->per_station)
             symbol_length(of->units, WHIRL_ZERO_TO_PEAK, "largest radius", figure->scale.label,
                           sizeof figure->scale.label);
+        if (what == &of_change) snprintf(figure->scale.label, sizeof figure->scale.label, "change (%% for 1 %%)");
         if (place->field) shown_label(of, place, figure->scale.label, sizeof figure->scale.label);
     }
     // Draw the planes, and describe them.

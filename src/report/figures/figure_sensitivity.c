@@ -1,5 +1,5 @@
 // Draws the sensitivity of a number to parameters: lines along the varied parameter, and bars at the point where the
-// number is largest.
+// number is largest. Maps have a figure for each parameter (figure_map.c).
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -9,6 +9,24 @@
 #include "number_name.h"
 #include "sensitivity_view.h"
 
+/// Lists the maps of a number's sensitivity, one for each parameter that changes it anywhere.
+static void sensitivity_list_maps(figure_list *to, const drawing *of, const whirl_table *table, size_t number,
+                                  const char *name) {
+    const size_t parameters = sensitivity_parameters(table);
+    for (size_t p = 0; p < parameters; p++) {
+        bool any = false;
+        for (size_t i = 0; i < table->count && !any; i++)
+            any = whirl_table_done(table, i) && fabs(sensitivity_of(table, i, number, p).change) > 0.0;
+        if (!any) continue;
+        const figure_place place = {
+            .kind = &sensitivity_figure, .table = table, .point = NO_POINT, .which = number * parameters + p};
+        const char *parameter = sensitivity_parameter(of->result, p);
+        char file[NUMBER_NAME_SIZE + WHIRL_NAME_SIZE];
+        snprintf(file, sizeof file, "sensitivity-%.150s-to-%.60s", name, parameter);
+        list_figure(to, &place, file, "Sensitivity of %.100s to %.60s", name, parameter);
+    }
+}
+
 static void sensitivity_list(figure_list *to, const drawing *of, const whirl_table *table) {
     figure_place place = {.kind = &sensitivity_figure, .table = table, .point = NO_POINT};
     whirl_spread_of number;
@@ -17,6 +35,10 @@ static void sensitivity_list(figure_list *to, const drawing *of, const whirl_tab
         char name[NUMBER_NAME_SIZE], file[NUMBER_NAME_SIZE];
         if (sensitivity_largest(table, place.which) == table->count) continue;
         number_name(table, &number, name);
+        if (*table->second) {
+            sensitivity_list_maps(to, of, table, place.which, name);
+            continue;
+        }
         snprintf(file, sizeof file, "sensitivity-%.150s", name);
         list_figure(to, &place, file, "Sensitivity of %.100s", name);
     }
@@ -89,6 +111,10 @@ static void add_bars(whirl_figure *figure, const drawing *of, const figure_place
 }
 
 static void sensitivity_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
+    if (*place->table->second) {
+        map_describe(of, place, figure);
+        return;
+    }
     char name[NUMBER_NAME_SIZE];
     name_number(of, place, name);
     size_t known = 0;

@@ -5,6 +5,20 @@
 #include "sensitivity_view.h"
 #include "shown_kinds.h"
 
+/// A parameter of a map other than the first one.
+typedef struct map_axis {
+    const char *name; ///< "": the table has no such parameter
+    double (*at)(const whirl_table *table, size_t point);
+} map_axis;
+
+enum { MORE_AXES = 2 };
+
+static void map_axes(const whirl_table *table, map_axis axes[MORE_AXES]) {
+    const bool map = table->role == WHIRL_ROLE_MAP;
+    axes[0] = (map_axis){map ? table->second : "", whirl_table_second};
+    axes[1] = (map_axis){map ? table->third : "", whirl_table_third};
+}
+
 /// States the parameters that change a number most at a point.
 static void state_at(const finder *of, const whirl_spread_of *own, size_t number, size_t point) {
     enum { NAMED = 3 };
@@ -14,7 +28,14 @@ static void state_at(const finder *of, const whirl_spread_of *own, size_t number
     if (known == 0) return;
     number_name(of->table, own, name);
     whirl_statement *statement = find_statement(of, "sensitivity");
-    if (*of->table->parameter) statement_value(of, statement, point);
+    statement_value(of, statement, point);
+    map_axis axes[MORE_AXES];
+    map_axes(of->table, axes);
+    for (size_t i = 0; i < MORE_AXES && *axes[i].name; i++) {
+        const whirl_unit unit = whirl_shown_parameter(of->units, axes[i].name);
+        phrase_text(of, &statement->at, ", %s = ", axes[i].name);
+        phrase_unit(of, &statement->at, &unit, 6, axes[i].at(of->table, point));
+    }
     phrase_text(of, &statement->found, "%s changes", name);
     for (size_t k = 0; k < known && k < NAMED; k++) {
         phrase_text(of, &statement->found, k == 0 ? " by " : ", ");
@@ -55,6 +76,13 @@ void find_derivatives(const finder *of) {
     sheet->of_points = true;
     sheet_texts(of, sheet, "what", "of");
     sheet_values(of, sheet, "", 6);
+    map_axis axes[MORE_AXES];
+    map_axes(table, axes);
+    for (size_t k = 0; k < MORE_AXES && *axes[k].name; k++) {
+        const whirl_unit unit = whirl_shown_parameter(of->units, axes[k].name);
+        const char *name = find_text(of->findings, "%s", axes[k].name);
+        sheet_units(of, sheet, name, name, &unit, 6);
+    }
     for (size_t p = 0; p < parameters; p++) {
         const char *name = find_text(of->findings, "%s", sensitivity_parameter(of->result, p));
         sheet_column(of, sheet, find_text(of->findings, "change_%s", name), name, WHIRL_QUANTITY_PERCENT, 4);
@@ -72,6 +100,7 @@ void find_derivatives(const finder *of) {
             sheet_row(of, sheet);
             cell_text(of, sheet, what);
             cell_value(of, sheet, point);
+            for (size_t k = 0; k < MORE_AXES && *axes[k].name; k++) cell_number(of, sheet, axes[k].at(table, point));
             for (size_t p = 0; p < parameters; p++) cell_number(of, sheet, sensitivity_of(table, point, i, p).change);
         }
     }

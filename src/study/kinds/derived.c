@@ -23,6 +23,7 @@ typedef struct derived {
     size_t count;                               ///< number of numbers
     whirl_spread_at numbers[WHIRL_MAX_DERIVED]; ///< places of the numbers in blocks
     double *parameters, *found, *slopes;        ///< the fields in the block
+    bool runs; ///< numbers are of run-ups, which steps of controlled error compute, not linear algebra
     /// [parameters] Least first distances from the values, above 0 for parameters that are 0; or NULL.
     const double *reaches;
 } derived;
@@ -45,13 +46,15 @@ static bool derived_begin(derived *d, const whirl_study *study, const whirl_batc
     d->count = derived_list(d->by, system, layout, d->numbers);
     for (size_t i = 0; i < d->count; i++) d->found[i] = NAN;
     for (size_t i = 0; i < 2 * d->count * d->by->parameter_count; i++) d->slopes[i] = NAN;
-    // A parameter has the value of the case, of the condition, or the one that the batch varies.
+    // A parameter has the value of the case, of the condition, or one that the batch varies.
     for (size_t p = 0; p < d->by->parameter_count; p++) {
         const char *name = d->by->parameters[p].name;
         d->parameters[p] = d->by->parameters[p].value;
         for (size_t i = 0; i < batch->given_count; i++)
             if (strcmp(batch->given[i].name, name) == 0) d->parameters[p] = batch->given[i].value;
         if (strcmp(batch->parameter, name) == 0) d->parameters[p] = value;
+        if (strcmp(batch->second, name) == 0) d->parameters[p] = batch->second_value;
+        if (strcmp(batch->third, name) == 0) d->parameters[p] = batch->third_value;
     }
     return true;
 }
@@ -94,10 +97,22 @@ static bool derived_is_missing(const whirl_status *status) {
 /// (derived_is_missing) leaves the derivative missing.
 typedef whirl_status derived_fn(const void *of, double h, double *numbers);
 
-/// Derives numbers [count] by levels of distances from `reach` on, until all errors are below 1e-10 of the slope; a
+/// A series of differences of numbers, by distances that begin at `reach`.
+typedef struct derived_series {
+    double reach;
+    double enough; ///< error of a slope, divided by the slope, below which the series ends
+    double good;   ///< the same, above which a second series begins nearer
+} derived_series;
+
+/// The series of numbers that are smooth to rounding.
+static derived_series series_from(double reach) {
+    return (derived_series){reach, 1e-10, 1e-8};
+}
+
+/// Derives numbers [count] by levels of distances from `reach` on, until all errors are below `enough` of the slope; a
 /// slope is replaced if the new error is smaller.
-static whirl_status derived_levels(double reach, size_t count, derived_fn *compute, const void *of, double *slopes,
-                                   double *errors) {
+static whirl_status derived_levels(double reach, double enough, size_t count, derived_fn *compute, const void *of,
+                                   double *slopes, double *errors) {
     double lines[WHIRL_MAX_DERIVED][RICHARDSON_LEVELS] = {{0.0}}, above[WHIRL_MAX_DERIVED], below[WHIRL_MAX_DERIVED];
     double slope[WHIRL_MAX_DERIVED] = {0.0}, error[WHIRL_MAX_DERIVED] = {0.0};
     bool known = false;
@@ -109,7 +124,7 @@ static whirl_status derived_levels(double reach, size_t count, derived_fn *compu
         known = k > 1;
         for (size_t i = 0; i < count; i++) {
             const bool rounded = richardson_add(above[i], below[i], step, k, lines[i], &slope[i], &error[i]);
-            known = known && (rounded || error[i] <= 1e-10 * fabs(slope[i]) || isnan(slope[i]) || errors[i] == 0.0);
+            known = known && (rounded || error[i] <= enough * fabs(slope[i]) || isnan(slope[i]) || errors[i] == 0.0);
         }
     }
     for (size_t i = 0; i < count; i++) {
@@ -120,24 +135,25 @@ static whirl_status derived_levels(double reach, size_t count, derived_fn *compu
     return whirl_ok();
 }
 
-/// Derives numbers [count] at h = 0: slopes and their errors, NaN if they cannot be found. Distances begin at `reach`.
-/// They begin nearer if machines there are impossible or have no place of rest. If the error of some slope is above
-/// 1e-8 of it, a second series begins at a sixteenth of the distance: a number that is not smooth a little further
-/// away, as near a double mode, is smooth there.
-static whirl_status derived_extrapolate(double reach, size_t count, derived_fn *compute, const void *of, double *slopes,
-                                        double *errors) {
+/// Derives numbers [count] at h = 0: slopes and their errors, NaN if they cannot be found. Distances begin nearer than
+/// the series says if machines there are impossible or have no place of rest. If the error of some slope is not good, a
+/// second series begins at a sixteenth of the distance: a number that is not smooth a little further away, as near a
+/// double mode, is smooth there.
+static whirl_status derived_extrapolate(derived_series series, size_t count, derived_fn *compute, const void *of,
+                                        double *slopes, double *errors) {
     enum { NEARER = 7 };
     for (size_t i = 0; i < count; i++) {
         slopes[i] = NAN;
         errors[i] = INFINITY;
     }
+    double reach = series.reach;
     for (int tries = 0; tries < NEARER; tries++, reach *= 0.25) {
-        whirl_status status = derived_levels(reach, count, compute, of, slopes, errors);
+        whirl_status status = derived_levels(reach, series.enough, count, compute, of, slopes, errors);
         if (derived_is_missing(&status)) continue;
         bool good = true;
-        for (size_t i = 0; i < count; i++) good = good && !(errors[i] > 1e-8 * fabs(slopes[i]));
+        for (size_t i = 0; i < count; i++) good = good && !(errors[i] > series.good * fabs(slopes[i]));
         if (status.code == WHIRL_OK && !good && tries + 1 < NEARER)
-            status = derived_levels(0.0625 * reach, count, compute, of, slopes, errors);
+            status = derived_levels(0.0625 * reach, series.enough, count, compute, of, slopes, errors);
         if (status.code != WHIRL_OK && !derived_is_missing(&status)) return status;
         break;
     }
@@ -157,7 +173,7 @@ typedef struct derived_implicit {
 /// Derives g by one parameter.
 static whirl_status implicit_by(const derived_implicit *g, size_t parameter, double reach, double *by, double *off) {
     *g->parameter = parameter;
-    return derived_extrapolate(reach, 1, g->compute, g->of, by, off);
+    return derived_extrapolate(series_from(reach), 1, g->compute, g->of, by, off);
 }
 
 /// Derives v by one parameter: -g_p/g_v.
@@ -297,10 +313,18 @@ static bool derived_is_critical(const whirl_spread_at *at) {
     return strcmp(at->field->name, WHIRL_FIELD_MODES_CRITICAL) == 0 && at->index % at->field->columns == 1;
 }
 
+/// Returns the series of a parameter. Numbers of run-ups have the errors of their steps, which limit the slope's error,
+/// and vary more with a parameter than those of machines at rest.
+static derived_series rest_series(const derived *d, size_t parameter) {
+    const double size = fabs(d->parameters[parameter]);
+    return d->runs ? (derived_series){size / 64.0, 1e-6, 1e-3} : series_from(0.125 * size);
+}
+
 whirl_status derived_at_rest(const whirl_study *study, const whirl_batch *batch, const resting_machine *own,
                              const whirl_layout *layout, double *block) {
     derived d;
     if (!derived_begin(&d, study, batch, own->value, own->machine.system, layout, block)) return whirl_ok();
+    d.runs = whirl_analysis_has(batch->analyses, "runup");
     derived_rest r = {.of = &d, .own = own, .block = calloc(layout->size + 1, sizeof *r.block)};
     if (!r.block) return whirl_fail(WHIRL_NO_MEMORY, "no memory for derivatives of a point");
     whirl_status status = whirl_ok();
@@ -310,7 +334,7 @@ whirl_status derived_at_rest(const whirl_study *study, const whirl_batch *batch,
     for (size_t p = 0; p < d.by->parameter_count && status.code == WHIRL_OK; p++) {
         double slopes[WHIRL_MAX_DERIVED], errors[WHIRL_MAX_DERIVED];
         r.parameter = p;
-        status = derived_extrapolate(0.125 * fabs(d.parameters[p]), d.count, derived_rest_numbers, &r, slopes, errors);
+        status = derived_extrapolate(rest_series(&d, p), d.count, derived_rest_numbers, &r, slopes, errors);
         for (size_t i = 0; i < d.count && status.code == WHIRL_OK; i++)
             if (isfinite(d.found[i]) && !derived_is_critical(&d.numbers[i]))
                 derived_note(&d, i, p, slopes[i], errors[i]);
@@ -537,8 +561,8 @@ static whirl_status motion_fill(derived_motion *m, const whirl_system *system) {
         for (size_t p = 0; p < d->by->parameter_count && status.code == WHIRL_OK; p++) {
             double slope, error;
             const derived_multiplier own = {m, p};
-            status =
-                derived_extrapolate(fabs(d->parameters[p]) / 256.0, 1, derived_multiplier_number, &own, &slope, &error);
+            status = derived_extrapolate(series_from(fabs(d->parameters[p]) / 256.0), 1, derived_multiplier_number,
+                                         &own, &slope, &error);
             derived_note(d, i, p, slope, error);
         }
     }
@@ -740,7 +764,7 @@ whirl_status derived_mode(const whirl_study *study, const whirl_batch *batch, co
     for (size_t p = 0; p < count && status.code == WHIRL_OK; p++) {
         double errors[2];
         e.rest.parameter = p;
-        status = derived_extrapolate(derived_reach(&one.of, p, 0.125), 2, derived_eigenvalue_numbers, &e,
+        status = derived_extrapolate(series_from(derived_reach(&one.of, p, 0.125)), 2, derived_eigenvalue_numbers, &e,
                                      slopes + 2 * p, errors);
     }
     return status;

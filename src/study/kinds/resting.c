@@ -256,16 +256,10 @@ static whirl_status leave_unfound(const worker *w, const whirl_batch *batch, siz
     return noted;
 }
 
-/// Chooses the sample or the record whose machine a point has.
-static void resting_choose_sample(whirl_batch *batch, size_t slot) {
-    if (batch->tolerances.samples > 0) batch->sampled = 1 + (batch->row > 0 ? slot / batch->row : 0);
-    if (batch->dataset) batch->sampled = 1 + slot;
-}
-
 static whirl_status resting_compute(worker *w, size_t slot) {
     const double value = w->table->values[slot];
     resting_machine own = {.value = value};
-    resting_choose_sample(&w->own, slot);
+    batch_choose(&w->own, slot);
     whirl_status status = w->has_modes ? resting_new(w->run->study, w->batch, value, &own)
                                        : w->run->study->machine(w->run->study->family, w->batch, value, &own.machine);
     if (status.code == WHIRL_OK && w->has_modes) status = resting_locate(w, slot, &own);
@@ -352,7 +346,7 @@ static whirl_status run_point_begin(worker *w, run_points *all, size_t slot) {
     const size_t i = all->count++;
     run_point *p = &all->points[i];
     *p = (run_point){.slot = slot, .own = {.value = w->table->values[slot]}, .batch = w->own};
-    resting_choose_sample(&p->batch, slot);
+    batch_choose(&p->batch, slot);
     p->at = (resting_place){w->run->study, &p->batch, p->own.value};
     p->saving = long_point_begin(w, slot);
     if (!w->table->blocks) p->block = calloc(w->table->layout.size + 1, sizeof *p->block);

@@ -3,10 +3,19 @@
 #include <stdio.h>
 #include <string.h>
 
+/// Returns the place of the value of a parameter that the batch itself varies, `*value` for the first one; NULL for
+/// other parameters.
+static double *varied_axis(whirl_batch *batch, const char *name, double *value) {
+    if (strcmp(batch->parameter, name) == 0) return value;
+    if (strcmp(batch->second, name) == 0) return &batch->second_value;
+    return strcmp(batch->third, name) == 0 ? &batch->third_value : NULL;
+}
+
 whirl_batch varied_batch(const whirl_batch *batch, const char *name, double x, varied_given given, double *value) {
     whirl_batch out = *batch;
-    if (strcmp(batch->parameter, name) == 0) {
-        *value = x;
+    double *const own = varied_axis(&out, name, value);
+    if (own) {
+        *own = x;
         return out;
     }
     out.given_count = 0;
@@ -20,8 +29,18 @@ whirl_batch varied_batch(const whirl_batch *batch, const char *name, double x, v
 /// Returns the batch with `name` as its parameter. All machines have the batch's own parameter at `value`.
 static whirl_batch varied_along(const whirl_batch *batch, const char *name, double value, varied_given given) {
     double own = value;
-    whirl_batch out = varied_batch(batch, name, value, given, &own);
-    if (out.given != given) return out; // the parameter is the batch's own
+    whirl_batch out = *batch;
+    double *const axis = varied_axis(&out, name, &own);
+    if (axis) {
+        // The parameter that the batch varies, and its first one, exchange their places.
+        if (axis == &own) return out;
+        char *const from = axis == &out.second_value ? out.second : out.third;
+        snprintf(from, WHIRL_NAME_SIZE, "%s", batch->parameter);
+        snprintf(out.parameter, sizeof out.parameter, "%s", name);
+        *axis = value;
+        return out;
+    }
+    out = varied_batch(batch, name, value, given, &own);
     // varied_batch has put `name` last; the batch's own parameter takes its place.
     out.given_count--;
     if (*out.parameter) given[out.given_count++] = (whirl_given){batch->parameter, value};

@@ -7,6 +7,13 @@
 #include "batch_points.h"
 #include "whirl/engine/study.h"
 
+void batch_choose(whirl_batch *own, size_t index) {
+    if (own->second_values) own->second_value = own->second_values[index];
+    if (own->third_values) own->third_value = own->third_values[index];
+    if (own->tolerances.samples > 0) own->sampled = 1 + (own->row > 0 ? index / own->row : 0);
+    if (own->dataset) own->sampled = 1 + index;
+}
+
 whirl_status whirl_study_machine(const whirl_study *study, const whirl_batch *batch, size_t point,
                                  whirl_machine *machine) {
     whirl_batch own = *batch;
@@ -15,10 +22,7 @@ whirl_status whirl_study_machine(const whirl_study *study, const whirl_batch *ba
     const double value = batch->values ? batch->values[index] : (double)NAN;
     // Starts from neighbours have a state of their own.
     if (batch->starts > 1) own.start = point / batch->count < batch->starts ? point / batch->count : 0;
-    if (batch->second_values) own.second_value = batch->second_values[index];
-    if (batch->third_values) own.third_value = batch->third_values[index];
-    if (batch->tolerances.samples > 0) own.sampled = 1 + (batch->row > 0 ? index / batch->row : 0);
-    if (batch->dataset) own.sampled = 1 + index;
+    batch_choose(&own, index);
     whirl_status status = whirl_study_place(study, &own, &placed);
     if (status.code == WHIRL_OK) status = study->machine(study->family, &own, value, machine);
     free(placed);

@@ -1,10 +1,14 @@
-/// Fields of the values of parameters, in blocks of points.
+/// Parameters of the points of a batch, and the fields of their values.
 #ifndef STUDY_BATCH_POINTS_H
 #define STUDY_BATCH_POINTS_H
 
 #include <stddef.h>
 
 #include "whirl/engine/study.h"
+
+/// Chooses the machine of a point in a copy of its batch, by the point's index: its second and third parameter, its
+/// sample or its record.
+void batch_choose(whirl_batch *own, size_t index);
 
 /// Adds the fields of the second and third parameters' values, "map/second" and "map/third", to a batch's layout, and
 /// for a refined map the field "map/width". WHIRL_BAD_INPUT if it has too many fields.
