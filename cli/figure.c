@@ -154,12 +154,12 @@ static int figure_run(int argc, char **argv) {
         .options = options,
         .parser = figure_parse,
         .args_doc = "RESULT [NAME]\nRESULT --list",
-        .doc =
-            "Writes one figure of the report of a result: a picture, or its panels, axes and series as JSON. The "
-            "default is the first figure. The names FIELD[:OF][:COLUMN] ('orbit/mean:disc:y'), @VALUE[:STATION] and "
-            "@#NUMBER[:STATION] make figures of any field and of any point. TABLE/NAME is the figure of that table. "
-            "RESULT is a result file, or a record of a run-up or coast-down (NAME.csv) with the headings 'time [s]', "
-            "'keyphasor' or 'speed [rpm]', and two probes a station: 'de x [um]', or 'de 45 [um]' in degrees.",
+        .doc = "Writes one figure of the report of a result: a picture, or its panels, axes and series as JSON. The "
+               "default is the first figure. The names FIELD[:OF][:COLUMN] ('orbit/mean:disc:y'), @VALUE[:STATION] and "
+               "@#NUMBER[:STATION] make figures of any field and of any point. TABLE/NAME is the figure of that table. "
+               "RESULT is a result file, or a record of a run-up or coast-down (CSV, HDF5, MAT or UFF) with the "
+               "headings 'time [s]', "
+               "'keyphasor' or 'speed [rpm]', and two probes a station: 'de x [um]', or 'de 45 [um]' in degrees.",
     };
     figure_arguments arguments = {0};
     const int read = read_arguments(&argp, argc, argv, 0, &arguments);

@@ -11,8 +11,8 @@ function found = whirl_fit(given_case, data, unknown, varargin)
 %   a table: 'noise', a number in metres or a text '2 um'; 'at', a struct of values in SI that parameters had in the
 %   measurement; 'compare', which is 'statistics' for motions that are not periodic.
 %
-%   Of an HDF5 file: 'columns', a cell of headings and datasets, {'time [s]', 't', 'disc x [um]', 'signals[:, 0]'}; of a
-%   data set: 'record', the number of a record.
+%   Of an HDF5, MAT or universal file: 'columns', a cell of headings and datasets, variables or records, {'time [s]',
+%   't', 'disc x [um]', 'signals[0, :]'}; of a data set: 'record', the number of a record.
 %
 %   FOUND has a struct for each unknown, with start, value, error, low and high (95 %), profile ([low high]) and known:
 %   'determined', 'at a bound', 'weak' or 'unknown'; FOUND.result is that of WHIRL_RUN.

@@ -35,7 +35,8 @@ whirl_status whirl_result_read(const char *path, whirl_result **result);
 /// Reads all of a result file except the blocks of its points. Errors as whirl_result_read.
 whirl_status whirl_result_read_outline(const char *path, whirl_result **outline);
 
-/// Reads a measured record as a result: a table over the time, with commas, semicolons or tabs between values. The
+/// Reads a measured record as a result: a table over the time, with commas, semicolons or tabs between values, or an
+/// HDF5, MAT or universal file. The
 /// result is that of a study `runup`, whose rows, spectra and orbits are those of the measured turns. Headings are
 /// `time [s]`; `keyphasor`, whose rising pulses are the mark, or `speed [rpm]`, whose integral is the angle from the
 /// first sample on; and two probes a station by their directions, `de x [um]`, or degrees from the x axis in the sense

@@ -73,7 +73,7 @@ static void fit_read_noise(case_reader *reader, const setting *given, fit_set *o
     }
 }
 
-/// Reads the columns that are chosen from an HDF5 file: headings, each with its dataset.
+/// Reads the columns that are chosen from a measured file: headings, each with its dataset.
 static void fit_read_columns(case_reader *reader, fit_set *out) {
     const setting *columns = settings_find(&out->keys, "columns"), *record = settings_find(&out->keys, "record");
     char shown[SHOWN_SIZE];

@@ -151,8 +151,8 @@ static const whirl_key fit_keys[] = {
     CHOICE_KEY("unknown", REQUIRED, "", "names of the unknown parameters, each with start, from and to, or nothing"),
     CHOICE_KEY(
         "data", REQUIRED, "",
-        "path of a table of measured numbers (CSV or HDF5) from the folder of the case, or a list of paths, of tables "
-        "with further keys such as `at` and `noise`, and of numbers such as onset: see fit_data"),
+        "path of a table of measured numbers (CSV, HDF5, MAT or UFF) from the folder of the case, or a list of paths, "
+        "of tables with further keys such as `at` and `noise`, and of numbers such as onset: see fit_data"),
     WHOLE_KEY("starts", "", DEFAULT("1"), WHIRL_FROM_TO(1, 10000),
               "number of starts: the first at the values of start, the others spread evenly between the bounds, by the "
               "sequence of Halton"),
@@ -169,8 +169,8 @@ static const whirl_key fit_data_keys[] = {
                "path of the table: displacements of probes over `angle`, `turns` or `time`, or amplitudes and lags of "
                "orders over `speed` or a parameter"),
     CHOICE_KEY("columns", OPTIONAL, "",
-               "file in HDF5: headings as in a table, each with its dataset (run/x), or a part of one with an index "
-               "that runs (run/signals[:, 2]); absent: all vectors, under their own names"),
+               "HDF5, MAT or UFF: headings as in a table, each with its dataset, variable or record (run/x), or a part "
+               "of one with an index that runs (run/signals[:, 2]); absent: all vectors, under their own names"),
     WHOLE_KEY("record", "", OPTIONAL, WHIRL_FROM_TO(1, WHIRL_MAX_RECORDS),
               "file of study: dataset: number of the record, whose proximity probes are the table; parameters have its "
               "values, unless they are looked for or in `at`"),

@@ -28,6 +28,20 @@ columns = {'speed [rad/s]', 'w/value', 'disc x [m]', 'sizes/value', 'disc x lag 
 again = whirl_fit(machine, 'bode.h5', struct('k', [10e3 90e3], 'e', []), 'tolerance', 1e-10, 'columns', columns);
 assert([again.k.value again.e.value], [33e3 38e-6], -1e-8);
 wrong(@() whirl_fit(machine, 'bode.h5', struct('k', []), 'record', 3), 'is no data set, which study: dataset makes');
+% So do MAT files of all versions, and members of a structure.
+bode.w = w;
+bode.sizes = sizes;
+bode.lags = lags;
+columns = {'speed [rad/s]', 'w', 'disc x [m]', 'sizes', 'disc x lag [rad]', 'lags'};
+for version = {'-v4', '-v6', '-v7'}
+  save(version{1}, 'bode.mat', 'w', 'sizes', 'lags');
+  again = whirl_fit(machine, 'bode.mat', struct('k', [10e3 90e3], 'e', []), 'tolerance', 1e-10, 'columns', columns);
+  assert([again.k.value again.e.value], [33e3 38e-6], -1e-8);
+end
+save('-v7', 'bode.mat', 'bode');
+columns = {'speed [rad/s]', 'bode.w', 'disc x [m]', 'bode.sizes', 'disc x lag [rad]', 'bode.lags'};
+again = whirl_fit(machine, 'bode.mat', struct('k', [10e3 90e3], 'e', []), 'tolerance', 1e-10, 'columns', columns);
+assert([again.k.value again.e.value], [33e3 38e-6], -1e-8);
 file = fopen('bode.csv', 'w');
 fprintf(file, 'speed [rad/s], disc x [m], disc x lag [rad]\n');
 fprintf(file, '%.17g, %.17g, %.17g\n', [w abs(response) -angle(response)]');

@@ -257,6 +257,89 @@ static void waveforms(void **unused) {
     whirl_result_free(result);
 }
 
+/// Writes the Bode plot of the disc as complex numbers over the speed in rpm, in a universal file (dataset 58).
+static void write_universal(const double truth[3]) {
+    enum { SPEEDS = 9 };
+    char path[256];
+    path_of("bode.uff", path);
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fprintf(file, "    -1\n    58\nNONE\nNONE\nNONE\nNONE\nNONE\n");
+    fprintf(file, "%5d%10d%5d%10d %-10s%10d%4d %-10s%10d%4d\n", 12, 0, 0, 0, "disc", 1, 1, "NONE", 0, 0);
+    fprintf(file, "%10d%10d%10d%13.5E%13.5E%13.5E\n", 6, SPEEDS, 1, 600.0, 100.0, 0.0);
+    fprintf(file, "%10d%5d%5d%5d %-20s %-20s\n", 19, 0, 0, 0, "Speed", "RPM");
+    fprintf(file, "%10d%5d%5d%5d %-20s %-20s\n", 8, 0, 0, 0, "Displacement", "UM");
+    for (int i = 0; i < 2; i++) fprintf(file, "%10d%5d%5d%5d %-20s %-20s\n", 0, 0, 0, 0, "NONE", "NONE");
+    for (int i = 0; i < SPEEDS; i++) {
+        double gain[2];
+        disc_gain((600.0 + 100.0 * i) * two_pi / 60.0, truth[0], gain);
+        fprintf(file, "%20.12E%20.12E%s", 1e6 * truth[2] * gain[0], -1e6 * truth[2] * gain[1], i % 2 ? "\n" : "");
+    }
+    fprintf(file, "\n    -1\n");
+    fclose(file);
+}
+
+/// Writes a row of numbers as a variable of a MAT file of level 4, whose bytes begin with the smallest or, `big`, the
+/// largest place.
+static void write_variable(FILE *file, const char *name, const double *numbers, size_t count, bool big) {
+    const uint32_t head[] = {big ? 1000 : 0, 1, (uint32_t)count, 0, (uint32_t)strlen(name) + 1};
+    for (size_t i = 0; i < 5; i++)
+        for (unsigned k = 0; k < 4; k++) fputc((int)(head[i] >> 8 * (big ? 3 - k : k) & 255U), file);
+    fwrite(name, 1, strlen(name) + 1, file);
+    for (size_t i = 0; i < count; i++) {
+        uint64_t bits;
+        memcpy(&bits, &numbers[i], sizeof bits);
+        for (unsigned k = 0; k < 8; k++) fputc((int)(bits >> 8 * (big ? 7 - k : k) & 255U), file);
+    }
+}
+
+/// Writes the Bode plot of the disc as variables of a MAT file.
+static void write_matlab(const double truth[3], bool big) {
+    enum { SPEEDS = 9 };
+    char path[256];
+    double speed[SPEEDS], size[SPEEDS], lag[SPEEDS];
+    for (int i = 0; i < SPEEDS; i++) {
+        double gain[2];
+        speed[i] = 60.0 + 10.0 * i;
+        disc_gain(speed[i], truth[0], gain);
+        size[i] = truth[2] * hypot(gain[0], gain[1]);
+        lag[i] = atan2(gain[1], gain[0]);
+    }
+    path_of("bode.mat", path);
+    FILE *file = fopen(path, "wb");
+    assert_non_null(file);
+    write_variable(file, "w", speed, SPEEDS, big);
+    write_variable(file, "a", size, SPEEDS, big);
+    write_variable(file, "phi", lag, SPEEDS, big);
+    fclose(file);
+}
+
+/// The Bode plot of a disc is fitted from files of instruments and of MATLAB.
+static void measured_files(void **unused) {
+    (void)unused;
+    static const double truth[3] = {33e3, 52.0, 38e-6};
+    static const char *const names[3] = {"k", "c", "e"};
+    static const char variables[] =
+        "{file: bode.mat, columns: {'speed [rad/s]': w, 'disc x [m]': a, 'disc x lag [rad]': phi}}";
+    static const struct {
+        const char *name, *data;
+    } files[] = {{"universal file", "bode.uff"},
+                 {"MAT file, smallest byte first", variables},
+                 {"MAT file, largest byte first", variables}};
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+        if (i == 0)
+            write_universal(truth);
+        else
+            write_matlab(truth, i == 2);
+        whirl_result *result = run_disc_with("1 mm", "counter-clockwise", "{k: , c: , e: }", files[i].data);
+        const double *unknown = whirl_table_field(&result->tables[0], 0, WHIRL_FIELD_FIT_UNKNOWN, 0);
+        for (int u = 0; u < 3; u++)
+            check_within("Fit", words("disc on a spring, %s: %s", files[i].name, names[u]), truth[u],
+                         unknown[8 * u + 2], 1e-9 * truth[u]);
+        whirl_result_free(result);
+    }
+}
+
 /// Each probe has its own noise: the eccentricity is the mean of the values of the probes, weighted by the inverse
 /// squares of their noise.
 static void noise_by_probe(void **unused) {
@@ -580,7 +663,8 @@ static int make_folder(void **unused) {
 }
 
 static int remove_folder(void **unused) {
-    static const char *const names[] = {"orbit-1.csv", "orbit-2.csv", "orbit-3.csv", "bode.csv", "waveform.csv"};
+    static const char *const names[] = {"orbit-1.csv",  "orbit-2.csv", "orbit-3.csv", "bode.csv",
+                                        "waveform.csv", "bode.uff",    "bode.mat"};
     char path[256];
     (void)unused;
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
@@ -594,6 +678,6 @@ int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(rubbing_orbits), cmocka_unit_test(closed_forms),
                                        cmocka_unit_test(not_determined), cmocka_unit_test(recovery),
                                        cmocka_unit_test(waveforms),      cmocka_unit_test(noise_by_probe),
-                                       cmocka_unit_test(profiles)};
+                                       cmocka_unit_test(profiles),       cmocka_unit_test(measured_files)};
     return cmocka_run_group_tests_name("fit", tests, make_folder, remove_folder);
 }

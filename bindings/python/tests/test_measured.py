@@ -1,5 +1,5 @@
-"""MAT files of SciPy and Octave, and universal files, are read by the library: by columns, fits, figures, and records of
-run-ups."""
+"""MAT files of SciPy and Octave, and universal files, are read by the library: for columns, fits, figures and
+records."""
 
 import shutil
 import struct
@@ -65,6 +65,15 @@ def test_the_same_parts_as_in_version_7_3(tmp_path):
         one, other = (whirl.read_measured(tmp_path / name, {"a": part})["a"] for name in ("a.mat", "b.mat"))
         assert list(one) == list(other)
     assert list(whirl.read_measured(tmp_path / "a.mat", {"a": "m[:, 1]"})["a"]) == list(matrix[1])
+    # Texts, which give units, are whole numbers with an attribute in version 7.3.
+    io.savemat(tmp_path / "a.mat", {"x": matrix[0], "x_unit": "mm", "note": "fan 3"})
+    with h5py.File(tmp_path / "b.mat", "w", userblock_size=512) as file:
+        file["x"] = matrix[:1].T
+        for name, words in (("x_unit", "mm"), ("note", "fan 3")):
+            file[name] = np.frombuffer(words.encode("utf-16-le"), "u2").reshape(-1, 1)
+            file[name].attrs["MATLAB_class"] = np.bytes_("char")
+    one, other = (whirl.read_measured(tmp_path / name) for name in ("a.mat", "b.mat"))
+    assert list(one) == list(other) == ["x [mm]"] and list(one["x [mm]"]) == list(other["x [mm]"]) == list(matrix[0])
 
 
 @pytest.mark.skipif(not shutil.which("octave"), reason="needs Octave")
@@ -134,10 +143,10 @@ def universal(kind, heading, values, *, axis=(17, "s"), start=0.0, step=1.0, uni
     head = "\n".join(lines) + "\n"
     numbers = np.column_stack([np.real(values), np.imag(values)]).ravel() if number > 4 else np.asarray(values)
     if kind[1:]:
-        data = numbers.astype(">f8" if number % 2 == 0 else ">f4").tobytes()
+        data = numbers.astype(">f8" if number in (4, 6) else ">f4").tobytes()
         title = f"    58b{2:6d}{2:6d}{11:12d}{len(data):12d}{0:6d}{0:6d}{0:12d}{0:12d}"
         return f"    -1\n{title}\n{head}".encode() + data + b"\n    -1\n"
-    form, columns = ("{:20.12E}", 4) if number % 2 == 0 else ("{:13.5E}", 6)
+    form, columns = ("{:20.12E}", 4) if number in (4, 6) else ("{:13.5E}", 6)
     rows = ["".join(form.format(v) for v in numbers[i : i + columns]) for i in range(0, len(numbers), columns)]
     return f"    -1\n    58\n{head}{chr(10).join(rows)}\n    -1\n".encode()
 
@@ -207,6 +216,10 @@ def test_what_cannot_be_read_is_refused(tmp_path):
     refused("dataset 58 number 1, line 1[0-9]: is cut off", one[:-10])
     refused("line 9: its type, count and spacing", one.replace(b"         4         9", b"         4      nine"))
     refused("expected 2, 4, 5 or 6", one.replace(b"         4         9", b"         7         9"))
+    refused(
+        "has 72 bytes, expected 36",
+        universal("4b", ("disc", 1), np.arange(9.0)).replace(b"\n         4", b"\n         2"),
+    )
     refused("has fewer numbers than it says", one.replace(b"         4         9", b"         4        10"))
 
 

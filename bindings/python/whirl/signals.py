@@ -267,10 +267,9 @@ def load(path: "str | os.PathLike") -> "Result":
     Parameters
     ----------
     path : path
-        Comma-separated values, or an HDF5 file with such vectors, with the headings ``time [s]``, ``keyphasor`` or
-        ``speed [rpm]``, and two probes for each
-        station: ``de x [um]`` and ``de y [um]``, or with degrees from the x axis in the sense of rotation, ``de 45
-        [um]``.
+        Comma-separated values, or an HDF5, MAT or universal file with such vectors, with the headings ``time [s]``,
+        ``keyphasor`` or ``speed [rpm]``, and two probes for each station: ``de x [um]`` and ``de y
+        [um]``, or with degrees from the x axis in the sense of rotation, ``de 45 [um]``.
     """
     from ._memory import MemorySource
     from .result import Result

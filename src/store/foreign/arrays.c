@@ -246,6 +246,9 @@ static void arrays_describe(foreign_file *file, const foreign_object *object, fo
     for (int i = 0; i < array->rank; i++) out->sizes[i] = (size_t)array->sizes[i];
     out->numbers = array->type.kind == FOREIGN_WHOLE || array->type.kind == FOREIGN_REAL;
     out->described = array->type.described;
+    // MATLAB's texts are whole numbers with an attribute.
+    attribute_text(file, object, "MATLAB_class", unit, sizeof unit);
+    if (out->numbers && strcmp(unit, "char") == 0) out->numbers = false, out->described = "texts";
     attribute_text(file, object, "unit", out->unit, sizeof out->unit);
     if (!*out->unit) attribute_text(file, object, "units", out->unit, sizeof out->unit);
     // whirl's own numbers say what they are in SI.
@@ -386,6 +389,32 @@ static whirl_status arrays_dataset(arrays_file *file, const char *name, foreign_
                : whirl_fail(WHIRL_BAD_INPUT, "%.150s: %.100s is a group, expected a dataset", file->path, name);
 }
 
+/// Reads the unit of a variable of MATLAB from another one, the text `x_unit`; "" without one.
+static void arrays_unit_of_matlab(arrays_file *file, const char *name, char unit[ARRAYS_TEXT]) {
+    enum { MAX_TEXT = 64 };
+    static const char *const words[] = {"_unit", "_units"};
+    char other[ARRAYS_PATH];
+    double letters[MAX_TEXT];
+    for (size_t k = 0; k < 2 && !*unit; k++) {
+        foreign_object object;
+        foreign_array array = {.rank = 0};
+        arrays_item item = {.numbers = true};
+        snprintf(other, sizeof other, "%s%s", name, words[k]);
+        if (arrays_object(file, other, &object) && foreign_object_find(&object, FOREIGN_LAYOUT))
+            arrays_describe(&file->foreign, &object, &array, &item);
+        const size_t rows = item.rank == 2 ? item.sizes[0] : 0, columns = item.rank == 2 ? item.sizes[1] : 0;
+        const size_t first[] = {0, 0}, count[] = {rows, columns};
+        const bool text = item.described && strcmp(item.described, "texts") == 0 && array.type.kind == FOREIGN_WHOLE;
+        if (text && rows <= MAX_TEXT && columns == 1 && foreign_values(&file->foreign, &array, first, count, letters)) {
+            size_t length = 0;
+            while (length < rows && letters[length] >= ' ' && letters[length] < 0x7f) length++;
+            for (size_t i = 0; length == rows && i < rows; i++) unit[i] = (char)letters[i], unit[i + 1] = '\0';
+        }
+        foreign_object_free(&object);
+        arrays_end(file, NULL);
+    }
+}
+
 whirl_status arrays_find(arrays_file *file, const char *name, arrays_item *out) {
     foreign_object object;
     foreign_array array;
@@ -400,6 +429,7 @@ whirl_status arrays_find(arrays_file *file, const char *name, arrays_item *out) 
     if (status.code == WHIRL_OK) {
         arrays_describe(&file->foreign, &object, &array, out);
         status = arrays_end(file, name);
+        if (status.code == WHIRL_OK && !*out->unit) arrays_unit_of_matlab(file, name, out->unit);
     }
     foreign_object_free(&object);
     return status;

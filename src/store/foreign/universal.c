@@ -259,11 +259,13 @@ static bool universal_skip(universal_reader *r, const char *kind, size_t record,
         if (!universal_number(kind, 31, 43, &stated) || !(stated >= 0.0 && stated <= 0x1p53))
             return universal_fail(r, record, "its size cannot be read");
         own->mixed = own->doubled && !own->even && (uint64_t)stated == mixed;
-        // Some programs state a wrong size (pyuff for complex numbers: half of it).
+        // Some programs state a smaller size (pyuff for complex numbers: half of it).
         const uint64_t size = own->mixed ? mixed : values * (own->doubled ? 8 : 4);
-        const uint64_t all = (uint64_t)stated > size ? (uint64_t)stated : size;
-        if (all > left) return universal_fail(r, record, "is cut off");
-        r->at += all;
+        if ((uint64_t)stated > size)
+            return foreign_fail(r->file, "dataset 58 number %zu has %.0f bytes, expected %llu of its type and count",
+                                record + 1, stated, (unsigned long long)size);
+        if (size > left) return universal_fail(r, record, "is cut off");
+        r->at += size;
         if (!universal_line(r, line)) return universal_fail(r, record, "is cut off");
         if (!*line && !universal_line(r, line)) return universal_fail(r, record, "is cut off");
         return universal_is_mark(line) || universal_fail(r, record, "does not end after its numbers");

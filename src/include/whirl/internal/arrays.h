@@ -23,7 +23,7 @@ typedef struct arrays_item {
     size_t sizes[ARRAYS_MAX_RANK];
     bool numbers;           ///< false: its values are no real numbers
     const char *described;  ///< its values, in messages: "texts"; static
-    char unit[ARRAYS_TEXT]; ///< its attribute `unit` or `units` (MAT: variable `x_unit`); "" without one
+    char unit[ARRAYS_TEXT]; ///< its attribute `unit` or `units` (MAT files: a text `x_unit`); "" without one
     double factor;          ///< 1, but for whirl's own numbers in scales of a case
 } arrays_item;
 
