@@ -528,12 +528,63 @@ static void test_special_points(void **state) {
                     0.1, WHIRL_DOUBLING, 1e-3, 1e-8);
 }
 
+/// A rotor whose circle of radius r = e s^2/sqrt((1 - s^2)^2 + (c s)^2) about its sag w touches the stator at the speed
+/// where r + w is the gap.
+static const char grazing[] = "whirl: 1\n"
+                              "parameters: {s: 0.5 rad/s, c: 0.4, gap: 0.8 m, w: 0.1, e: 0.3 m, kappa: 5}\n"
+                              "rotor:\n"
+                              "  speed: = s\n"
+                              "  length_scale: %s\n"
+                              "  rotation: %s\n"
+                              "  stations: {disc: {mass: 1 kg, damping: = c, eccentricity: = e}}\n"
+                              "  elements:\n"
+                              "    - shaft: {between: [disc, ground], k1: 1 N/m, k2: 1 N/m}\n"
+                              "    - contact: {at: disc, gap: = gap, stiffness: = kappa, radius: 1 m, friction: 0.05}\n"
+                              "    - gravity: = w\n"
+                              "study:\n"
+                              "  branch: {parameter: s, from: %s, to: %s, switches: 0}\n"
+                              "  sensitivity: {parameters: [c, gap, w, e, kappa]}\n";
+
+static void test_a_graze(void **state) {
+    (void)state;
+    static const char *const scales[] = {"1 m", "3.7 mm"}, *const rotations[] = {"counter-clockwise", "clockwise"};
+    static const char *const ends[][2] = {{"0.5", "1"}, {"2", "1.12"}};
+    const double c = 0.4, gap = 0.8, w = 0.1, e = 0.3;
+    for (size_t i = 0; i < 8; i++) {
+        char text[SIZE];
+        snprintf(text, sizeof text, grazing, scales[i / 2 % 2], rotations[i % 2], ends[i / 4][0], ends[i / 4][1]);
+        whirl_result *result = result_of_text(text);
+        const whirl_table *table = whirl_result_table(result, "branch");
+        const size_t row = special_row(table, WHIRL_GRAZE);
+        // The radius at the graze, and its logarithmic derivatives by the speed and by c.
+        const double s = table->values[row], rest = 1.0 - s * s, D = rest * rest + c * c * s * s;
+        const double r = e * s * s / sqrt(D), by_s = 2.0 / s - s * (c * c - 2.0 * rest) / D, by_c = 0.0 - c * s * s / D;
+        worst = 0.0;
+        assert_close(r + w, gap, 1e-8);
+        assert_close(change_of(table, row, 0, 0, 1e-7), 0.0 - c / s * by_c / by_s, 1e-8);
+        assert_close(change_of(table, row, 0, 1, 1e-7), gap / (s * r * by_s), 1e-8);
+        assert_close(change_of(table, row, 0, 2, 1e-7), 0.0 - w / (s * r * by_s), 1e-8);
+        assert_close(change_of(table, row, 0, 3, 1e-7), 0.0 - 1.0 / (s * by_s), 1e-8);
+        assert_close(change_of(table, row, 0, 4, 1e-7), 0.0, 1e-8);
+        check_within("Derived",
+                     words("speed %s which a rotor grazes its stator, %s, %s: 6 numbers, largest difference",
+                           i < 4 ? "from" : "down to", scales[i / 2 % 2], rotations[i % 2]),
+                     0.0, worst, 1e-8);
+        whirl_result_free(result);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_disc_on_a_spring), cmocka_unit_test(test_a_passage_of_resonance),
-        cmocka_unit_test(test_a_threshold),        cmocka_unit_test(test_springs_in_place_of_bearings),
-        cmocka_unit_test(test_a_motion_that_rubs), cmocka_unit_test(test_a_map),
-        cmocka_unit_test(test_chaos_has_none),     cmocka_unit_test(test_special_points),
+        cmocka_unit_test(test_a_disc_on_a_spring),
+        cmocka_unit_test(test_a_passage_of_resonance),
+        cmocka_unit_test(test_a_threshold),
+        cmocka_unit_test(test_springs_in_place_of_bearings),
+        cmocka_unit_test(test_a_motion_that_rubs),
+        cmocka_unit_test(test_a_map),
+        cmocka_unit_test(test_chaos_has_none),
+        cmocka_unit_test(test_special_points),
+        cmocka_unit_test(test_a_graze),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "derived_fields.h"
+#include "five_points.h"
 #include "orbit_options.h"
 #include "resting_point.h"
 #include "richardson.h"
@@ -391,18 +392,6 @@ static void path_mean(const derived_path *path, const double *of, double *out) {
     }
 }
 
-/// Writes the polynomial through five neighbouring instants of the numbers f [5] at the distance t from the middle one:
-/// its value, and unless NULL its first two derivatives.
-static double five_points(const double f[5], double t, double *first, double *second) {
-    const double d1 = (f[0] - 8.0 * f[1] + 8.0 * f[3] - f[4]) / 12.0;
-    const double d2 = (0.0 - f[0] + 16.0 * f[1] - 30.0 * f[2] + 16.0 * f[3] - f[4]) / 12.0;
-    const double d3 = (f[4] - 2.0 * f[3] + 2.0 * f[1] - f[0]) / 2.0;
-    const double d4 = f[0] - 4.0 * f[1] + 6.0 * f[2] - 4.0 * f[3] + f[4];
-    if (first) *first = d1 + t * (d2 + t * (d3 / 2.0 + t * d4 / 6.0));
-    if (second) *second = d2 + t * (d3 + t * d4 / 2.0);
-    return f[2] + t * (d1 + t * (d2 / 2.0 + t * (d3 / 6.0 + t * d4 / 24.0)));
-}
-
 /// Computes the largest (sign 1) or smallest (-1) radius of the path between instants, and its derivatives: those of
 /// the radius at that place, out [width].
 static void path_extreme(const derived_path *path, double sign, double *out) {
@@ -516,19 +505,25 @@ static whirl_status derived_multiplier_number(const void *of, double h, double *
     return status;
 }
 
-/// Derives the states of an orbit by all parameters and, `along`, by the batch's own one after these. `lengths`, if not
-/// NULL, gets the metres of a unit of displacement and their derivatives.
-static whirl_status derived_orbit(const derived *d, bool along, const whirl_orbit *orbit,
-                                  const whirl_orbit_options *options, size_t instants, double *lengths,
-                                  whirl_orbit_sensitivity **out) {
-    varied_parameter all[WHIRL_MAX_SENSITIVITIES + 1];
+/// Lists all parameters and, `along`, the batch's own one after these. Returns their number.
+static size_t derived_parameters(const derived *d, bool along, varied_parameter all[WHIRL_MAX_SENSITIVITIES + 1]) {
     const size_t count = d->by->parameter_count;
     for (size_t p = 0; p < count + along; p++) {
         const size_t parameter = p < count ? p : ALONG;
         all[p] = (varied_parameter){derived_name(d, parameter), derived_value(d, parameter), 0.0};
         if (all[p].value == 0.0) all[p].reach = derived_reach(d, parameter, 0.0);
     }
-    return varied_orbit(d->study, d->batch, d->value, count + along, all, orbit, options, instants, lengths, out);
+    return count + along;
+}
+
+/// Derives the states of an orbit by all parameters and, `along`, by the batch's own one after these. `lengths`, if not
+/// NULL, gets the metres of a unit of displacement and their derivatives.
+static whirl_status derived_orbit(const derived *d, bool along, const whirl_orbit *orbit,
+                                  const whirl_orbit_options *options, size_t instants, double *lengths,
+                                  whirl_orbit_sensitivity **out) {
+    varied_parameter all[WHIRL_MAX_SENSITIVITIES + 1];
+    const size_t count = derived_parameters(d, along, all);
+    return varied_orbit(d->study, d->batch, d->value, count, all, orbit, options, instants, lengths, out);
 }
 
 /// Finds the orbit of the motion, and differentiates its states by all parameters.
@@ -673,6 +668,75 @@ static whirl_status derived_fold(derived *d, const whirl_branch_point *point, co
     return status;
 }
 
+/// A graze whose value is derived.
+typedef struct derived_graze {
+    derived *of;
+    const whirl_branch_point *point;
+    const whirl_orbit_options *options;
+} derived_graze;
+
+/// Returns how many times the contact of a touch closes in a period; 0 if it always is closed.
+static size_t graze_closings(const whirl_touch *touch) {
+    return touch->share >= 1.0 ? 0 : touch->intervals;
+}
+
+/// Finds the orbit of the branch at a distance from the graze.
+static whirl_status graze_orbit(const derived_graze *g, double distance, whirl_orbit **orbit) {
+    const derived *d = g->of;
+    whirl_machine machine = {.system = NULL};
+    *orbit = NULL;
+    whirl_status status = d->study->machine(d->study->family, d->batch, d->value + distance, &machine);
+    if (status.code == WHIRL_OK)
+        status =
+            whirl_orbit_find(machine.system, g->point->orbit->nodes, g->point->orbit->revolutions, g->options, orbit);
+    if (machine.release) machine.release(machine.owner);
+    return status;
+}
+
+/// Derives the value of the graze by all parameters from an orbit at a distance from it, -g_p/g_v where g is the
+/// extreme of the switching function: slopes [parameters].
+static whirl_status graze_slopes(const derived_graze *g, double distance, double *slopes) {
+    derived near = *g->of;
+    const size_t count = near.by->parameter_count;
+    varied_parameter all[WHIRL_MAX_SENSITIVITIES + 1];
+    double by[WHIRL_MAX_SENSITIVITIES + 1];
+    whirl_orbit *orbit;
+    near.value += distance;
+    derived_parameters(&near, true, all);
+    whirl_status status = graze_orbit(g, distance, &orbit);
+    if (status.code == WHIRL_OK)
+        status = varied_extreme(near.study, near.batch, near.value, count + 1, all, orbit, g->options,
+                                orbit->touches[g->point->touch].index, by);
+    for (size_t p = 0; p < count && status.code == WHIRL_OK; p++) slopes[p] = 0.0 - by[p] / by[count];
+    whirl_orbit_free(orbit);
+    return status;
+}
+
+/// Derives the value of a graze by all parameters, and notes it. The orbit is smooth on the side of the graze where the
+/// contact closes less often. The slopes there are extrapolated to the graze.
+static whirl_status derived_by_graze(derived *d, const whirl_branch_point *point, const whirl_orbit_options *options) {
+    const derived_graze g = {d, point, options};
+    const double distance = 1e-6 * fabs(d->value);
+    size_t closings[2] = {0, 0};
+    whirl_status status = whirl_ok();
+    for (size_t side = 0; side < 2 && status.code == WHIRL_OK; side++) {
+        whirl_orbit *orbit;
+        status = graze_orbit(&g, side == 0 ? distance : 0.0 - distance, &orbit);
+        if (status.code == WHIRL_OK) closings[side] = graze_closings(&orbit->touches[point->touch]);
+        whirl_orbit_free(orbit);
+    }
+    if (status.code != WHIRL_OK || closings[0] == closings[1]) return status;
+    const double away = closings[0] < closings[1] ? distance : 0.0 - distance;
+    double slopes[2][WHIRL_MAX_SENSITIVITIES];
+    for (size_t k = 0; k < 2 && status.code == WHIRL_OK; k++)
+        status = graze_slopes(&g, (double)(k + 1) * away, slopes[k]);
+    for (size_t p = 0; p < d->by->parameter_count && status.code == WHIRL_OK; p++) {
+        const double slope = 2.0 * slopes[0][p] - slopes[1][p];
+        derived_note(d, 0, p, slope, 1e-4 * fabs(slopes[0][p] - slopes[1][p]));
+    }
+    return status;
+}
+
 whirl_status derived_of_special(const whirl_study *study, const whirl_batch *batch, const whirl_system *system,
                                 const whirl_branch_point *point, const whirl_layout *layout, double *block) {
     derived d;
@@ -686,6 +750,7 @@ whirl_status derived_of_special(const whirl_study *study, const whirl_batch *bat
     const whirl_orbit_options options = whirl_batch_orbits(batch);
     whirl_status status = whirl_ok();
     if (point->special == WHIRL_FOLD && forced) status = derived_fold(&d, point, &options);
+    if (point->special == WHIRL_GRAZE && forced) status = derived_by_graze(&d, point, &options);
     if (crosses && orbit->multiplier_count > 0 && (forced || orbit->period == 0.0))
         status = derived_by_crossing(&d, point, &options);
     return derived_is_missing(&status) ? whirl_ok() : status;

@@ -29,4 +29,11 @@ whirl_status varied_orbit(const whirl_study *study, const whirl_batch *batch, do
                           const whirl_orbit_options *options, size_t instants, double *lengths,
                           whirl_orbit_sensitivity **out);
 
+/// Derives by parameters [count] the extreme of switching function `index` along an orbit, of all extremes the one
+/// nearest to 0: slopes [count]. The orbit must stay on one side of 0 there. Errors as those of varied_orbit;
+/// WHIRL_NUMERICAL_FAILURE if the function has no extreme.
+whirl_status varied_extreme(const whirl_study *study, const whirl_batch *batch, double value, size_t count,
+                            const varied_parameter *parameters, const whirl_orbit *orbit,
+                            const whirl_orbit_options *options, size_t index, double *slopes);
+
 #endif
