@@ -543,7 +543,7 @@ static const char grazing[] = "whirl: 1\n"
                               "    - gravity: = w\n"
                               "study:\n"
                               "  branch: {parameter: s, from: %s, to: %s, switches: 0}\n"
-                              "  sensitivity: {parameters: [c, gap, w, e, kappa]}\n";
+                              "  sensitivity: {parameters: [c, gap, w, e, kappa, s]}\n";
 
 static void test_a_graze(void **state) {
     (void)state;
@@ -566,6 +566,7 @@ static void test_a_graze(void **state) {
         assert_close(change_of(table, row, 0, 2, 1e-7), 0.0 - w / (s * r * by_s), 1e-8);
         assert_close(change_of(table, row, 0, 3, 1e-7), 0.0 - 1.0 / (s * by_s), 1e-8);
         assert_close(change_of(table, row, 0, 4, 1e-7), 0.0, 1e-8);
+        assert_true(isnan(whirl_table_field(table, row, WHIRL_FIELD_SENSITIVITY_SLOPES, 0)[2 * 5]));
         check_within("Derived",
                      words("speed %s which a rotor grazes its stator, %s, %s: 6 numbers, largest difference",
                            i < 4 ? "from" : "down to", scales[i / 2 % 2], rotations[i % 2]),

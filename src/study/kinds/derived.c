@@ -753,6 +753,9 @@ whirl_status derived_of_special(const whirl_study *study, const whirl_batch *bat
     if (point->special == WHIRL_GRAZE && forced) status = derived_by_graze(&d, point, &options);
     if (crosses && orbit->multiplier_count > 0 && (forced || orbit->period == 0.0))
         status = derived_by_crossing(&d, point, &options);
+    // The value of the branch's own parameter at the point does not depend on what that parameter is elsewhere.
+    for (size_t p = 0; p < d.by->parameter_count; p++)
+        if (strcmp(d.by->parameters[p].name, batch->parameter) == 0) derived_note(&d, 0, p, NAN, NAN);
     return derived_is_missing(&status) ? whirl_ok() : status;
 }
 
