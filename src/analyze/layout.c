@@ -146,6 +146,7 @@ whirl_status whirl_layout_known(whirl_layout *layout) {
                                  .probes = probes,
                                  .range = two_ranges,
                                  .twist = no_twist,
+                                 .axial = no_twist,
                                  .torque_count = 2,
                                  .torsion = &torsion};
     const whirl_integrate_options integrate = whirl_integrate_default();
@@ -160,7 +161,8 @@ whirl_status whirl_layout_known(whirl_layout *layout) {
 bool whirl_analysis_has_rows(const char *field) {
     for (size_t a = 0; analysis_plans[a]; a++)
         for (size_t f = 0; f < analysis_plans[a]->field_count; f++)
-            if (strcmp(analysis_plans[a]->fields[f].name, field) == 0) return analysis_plans[a]->fields[f].rows != NULL;
+            if (strcmp(analysis_plans[a]->fields[f].name, field) == 0)
+                return analysis_plans[a]->fields[f].rows && analysis_plans[a]->fields[f].rows != rows_of_axial;
     return false;
 }
 

@@ -25,6 +25,8 @@ static block_shape shape_of(const whirl_layout *layout, const whirl_record_optio
     }
     const whirl_field *touches = whirl_layout_field(layout, WHIRL_FIELD_TRACE_TOUCHES);
     shape.touch_count = touches ? touches->rows : 0;
+    shape.axial =
+        whirl_layout_field(layout, WHIRL_FIELD_TRACE_AXIAL) || whirl_layout_field(layout, WHIRL_FIELD_TORUS_AXIAL);
     return shape;
 }
 

@@ -136,7 +136,7 @@ adaptive_lanes *adaptive_lanes_new(const lanes_method *own, const whirl_system *
                             .instants = options->steps_per_revolution,
                             .group_count = form->group_count,
                             .groups = form->groups,
-                            .observe = {.probe_count = system->probe_count,
+                            .observe = {.probe_count = whirl_watched_probes(system),
                                         .probes = system->probes,
                                         .contact_count = form->contact_count,
                                         .by_force = form->damped,

@@ -63,7 +63,7 @@ bool whirl_ensemble_follows(const whirl_system *system, const whirl_integrate_op
 
 /// Lays out the arrays in a block of rows. Returns the number of rows.
 static size_t ensemble_lay_out(whirl_ensemble *e, double *block) {
-    const size_t degrees = e->lanes.degrees, probes = e->system->probe_count, contacts = e->contact_count;
+    const size_t degrees = e->lanes.degrees, probes = whirl_watched_probes(e->system), contacts = e->contact_count;
     const size_t forces = e->alone || e->lanes.observe.contacts ? contacts : 0;
     const size_t rates = e->lanes.rates, fixed = e->adaptive || e->alone ? 0 : 1,
                  located = e->lanes.located.switches ? 1 : 0;
@@ -148,7 +148,7 @@ static void fill_shape(whirl_ensemble *e) {
     rk4_lanes *lanes = &e->lanes;
     lanes->degrees = e->alone ? 0 : system->lanes->degrees;
     lanes->rates = system->dimension - lanes->degrees;
-    lanes->observe.probe_count = system->probe_count;
+    lanes->observe.probe_count = whirl_watched_probes(system);
     lanes->observe.probes = system->probes;
     lanes->observe.contact_count = e->contact_count = system->contact_count;
 }
@@ -716,7 +716,7 @@ static void note_contacts(const whirl_ensemble *e, size_t lane) {
 static void largest_forces(const whirl_ensemble *e, size_t lane, double *force) {
     const lanes_observe *w = &e->lanes.observe;
     memset(e->state, 0, e->system->dimension * sizeof *e->state);
-    for (size_t p = 0; p < w->probe_count; p++)
+    for (size_t p = 0; p < e->system->probe_count; p++)
         e->state[w->probes[p].x] = sqrt(w->max_radius[p * e->lane_count + lane]);
     if (w->contact_count > 0) e->machines[lane]->contacts(e->machines[lane]->model, e->state, force);
 }

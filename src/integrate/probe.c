@@ -26,6 +26,10 @@ double whirl_probe_runout(const whirl_probe *probe, size_t which, double revolut
     return whirl_probe_sees(probe, which) ? sum : 0.0;
 }
 
+size_t whirl_watched_probes(const whirl_system *system) {
+    return system->probe_count + system->axial_count;
+}
+
 double whirl_probe_way(const whirl_probe *probe) {
     return probe->clockwise ? -1.0 : 1.0;
 }

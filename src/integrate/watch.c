@@ -39,7 +39,7 @@ void watch_instant(const whirl_system *system, const double *x, size_t stride, c
         watch_take(&seen->low[i * stride], WHIRL_SMALLEST, x[i]);
         watch_take(&seen->high[i * stride], WHIRL_LARGEST, x[i]);
     }
-    for (size_t p = 0; p < system->probe_count; p++) watch_probe(&system->probes[p], p, x, stride, seen);
+    for (size_t p = 0; p < whirl_watched_probes(system); p++) watch_probe(&system->probes[p], p, x, stride, seen);
     watch_contacts(system, x, stride, seen, touching);
 }
 
@@ -50,10 +50,11 @@ static void watch_begin(double *array, size_t count, whirl_fold fold) {
 }
 
 void whirl_seen_begin(const whirl_system *system, const double *x, const whirl_ensemble_seen *seen, double *touching) {
+    const size_t probes = whirl_watched_probes(system);
     watch_begin(seen->low, system->dimension, WHIRL_SMALLEST);
     watch_begin(seen->high, system->dimension, WHIRL_LARGEST);
 #define BEGIN(array, extent, columns, fold, ...)                                                                       \
-    watch_begin(seen->array, WHIRL_WATCHED_SIZE(extent, columns, system->probe_count, system->contact_count), fold);
+    watch_begin(seen->array, WHIRL_WATCHED_SIZE(extent, columns, probes, system->contact_count), fold);
     WHIRL_WATCHED(BEGIN)
 #undef BEGIN
     if (system->contact_count > 0) system->contacts(system->model, x, touching);
@@ -67,9 +68,9 @@ void whirl_seen_instant(const whirl_system *system, const double *x, const whirl
 
 void whirl_seen_end(const whirl_system *system, size_t instants, const whirl_ensemble_seen *seen) {
     const double share = 1.0 / (double)instants;
+    const size_t probes = whirl_watched_probes(system);
 #define END(array, extent, columns, fold, square, ...)                                                                 \
-    for (size_t i = 0, all = WHIRL_WATCHED_SIZE(extent, columns, system->probe_count, system->contact_count); i < all; \
-         i++)                                                                                                          \
+    for (size_t i = 0, all = WHIRL_WATCHED_SIZE(extent, columns, probes, system->contact_count); i < all; i++)         \
         seen->array[i] = fold_end(fold, square, seen->array[i], share);
     WHIRL_WATCHED(END)
 #undef END

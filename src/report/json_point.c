@@ -232,7 +232,22 @@ static json_t *station_lines(bool *well, const whirl_table *table, size_t point,
     return array;
 }
 
-// Returns the synchronous part: amplitude, zero to peak, and phase lag in degrees, of x, y and both circular motions.
+// Returns the lines of the axial displacement, largest first.
+static json_t *station_axial_lines(bool *well, const whirl_table *table, size_t point, size_t station) {
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_SPECTRUM_AXIAL_LINES);
+    const double *lines = whirl_table_field(table, point, WHIRL_FIELD_SPECTRUM_AXIAL_LINES, station);
+    json_t *array = json_array();
+    for (size_t n = 0; field && lines && n < field->rows && !isnan(lines[2 * n]); ++n) {
+        json_t *object = json_object();
+        document_put(well, object, "order", document_number(lines[2 * n]));
+        document_put(well, object, "amplitude", document_number(lines[2 * n + 1]));
+        document_append(well, array, object);
+    }
+    return array;
+}
+
+// Returns the synchronous part: amplitude, zero to peak, and phase lag in degrees, of x, y and both circular motions,
+// and of the axial displacement of stations that move along their shafts.
 static json_t *station_synchronous(bool *well, const whirl_table *table, size_t point, size_t station) {
     static const char *const parts[] = {"x", "y", "forward", "backward"};
     const double *amplitude = whirl_table_field(table, point, WHIRL_FIELD_SPECTRUM_SYNCHRONOUS, station);
@@ -243,6 +258,14 @@ static json_t *station_synchronous(bool *well, const whirl_table *table, size_t 
         document_put(well, part, "amplitude", document_number(amplitude[i]));
         document_put(well, part, "lag", document_number(lag[i]));
         document_put(well, object, parts[i], part);
+    }
+    const double *axial = whirl_table_field(table, point, WHIRL_FIELD_SPECTRUM_AXIAL_SYNCHRONOUS, station);
+    const double *axial_lag = whirl_table_field(table, point, WHIRL_FIELD_SPECTRUM_AXIAL_LAG, station);
+    if (axial && axial_lag) {
+        json_t *part = json_object();
+        document_put(well, part, "amplitude", document_number(*axial));
+        document_put(well, part, "lag", document_number(*axial_lag));
+        document_put(well, object, "axial", part);
     }
     return object;
 }
@@ -461,6 +484,8 @@ static json_t *point_object(bool *well, const whirl_result *result, const whirl_
         put_stations(well, object, "poincare", station_section, result, table, point);
     if (whirl_layout_field(&table->layout, WHIRL_FIELD_SPECTRUM_LINES))
         put_stations(well, object, "spectrum", station_lines, result, table, point);
+    if (whirl_layout_field(&table->layout, WHIRL_FIELD_SPECTRUM_AXIAL_LINES))
+        put_stations(well, object, "axial_spectrum", station_axial_lines, result, table, point);
     if (whirl_layout_field(&table->layout, WHIRL_FIELD_SPECTRUM_SHARE))
         put_stations(well, object, "spectrum_share", station_share, result, table, point);
     if (whirl_layout_field(&table->layout, WHIRL_FIELD_SPECTRUM_SYNCHRONOUS))

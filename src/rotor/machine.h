@@ -50,11 +50,13 @@ struct whirl_rotor {
     size_t between_count;
     double *frequencies; ///< [frequency_count] as in whirl_system
     size_t frequency_count;
-    element *elements; ///< [element_count] elements with kernels, in the registry's order
-    double *numbers;   ///< [plane_count][STATION_NUMBERS] numbers of stations, then those of the terms, then those of
-                       ///< the elements
-    size_t *places;    ///< [plane_count + element_count] as in whirl_lanes
-    whirl_probe *probes;
+    element *elements;   ///< [element_count] elements with kernels, in the registry's order
+    double *numbers;     ///< [plane_count][STATION_NUMBERS] numbers of stations, then those of the terms, then those of
+                         ///< the elements
+    size_t *places;      ///< [plane_count + element_count] as in whirl_lanes
+    whirl_probe *probes; ///< [2 station_count] those of stations, then those of axial displacements
+    size_t axial_probe_count;        ///< probes of axial displacements
+    size_t *axial_stations;          ///< [station_count] their stations
     whirl_runout *runouts;           ///< runouts of the probes, station after station
     size_t *groups;                  ///< [lanes.group_count + 1]
     double *turns;                   ///< [dimension] as in whirl_system

@@ -61,7 +61,7 @@ static size_t rotor_lay_out(whirl_rotor *rotor, char *block, const building *b) 
         cut(block, &used, total_numbers(b) * sizeof *rotor->numbers),
         cut(block, &used, b->assembly.term_count * sizeof *rotor->terms),
         cut(block, &used, (stations + b->element_count) * sizeof *rotor->places),
-        cut(block, &used, stations * sizeof *rotor->probes),
+        cut(block, &used, 2 * stations * sizeof *rotor->probes),
         cut(block, &used, (b->assembly.degrees + 1) * sizeof *rotor->groups),
         cut(block, &used, (2 * b->assembly.degrees + b->state_count) * sizeof *rotor->turns),
         cut(block, &used, contacts * sizeof *rotor->contacts),
@@ -95,7 +95,8 @@ static size_t rotor_lay_out(whirl_rotor *rotor, char *block, const building *b) 
         cut(block, &used, b->assembly.fatigue_count * sizeof *rotor->fatigues),
         cut(block, &used, stations * sizeof *rotor->axials),
         cut(block, &used, stations * sizeof *rotor->spool_of),
-        cut(block, &used, stations * sizeof *rotor->housing_turns)};
+        cut(block, &used, stations * sizeof *rotor->housing_turns),
+        cut(block, &used, stations * sizeof *rotor->axial_stations)};
     // Point to the parts, in the same order.
     if (!rotor) return used;
     rotor->elements = parts[0];
@@ -137,6 +138,7 @@ static size_t rotor_lay_out(whirl_rotor *rotor, char *block, const building *b) 
     rotor->axials = parts[36];
     rotor->spool_of = parts[37];
     rotor->housing_turns = parts[38];
+    rotor->axial_stations = parts[39];
     return used;
 }
 
@@ -165,6 +167,19 @@ static void add_probes(whirl_rotor *rotor, const building *b) {
         if (node->station >= b->design->station_count) continue;
         rotor->probes[node->station].shaft = node->shaft + 1;
         rotor->probes[node->station].position = node->z;
+    }
+}
+
+/// Adds the probes of axial displacements, after those of all stations.
+static void add_axial_probes(whirl_rotor *rotor, const building *b) {
+    const size_t degrees = b->assembly.degrees, stations = b->design->station_count;
+    for (size_t s = 0; s < stations; s++) {
+        const size_t own = b->assembly.stations[s].coordinate[AXIS_AXIAL];
+        whirl_probe *probe = &rotor->probes[stations + rotor->axial_probe_count];
+        if (own == NO_COORDINATE) continue;
+        *probe = (whirl_probe){.x = own, .y = own, .vx = degrees + own, .vy = degrees + own};
+        strcpy(probe->name, rotor->probes[s].name);
+        rotor->axial_stations[rotor->axial_probe_count++] = s;
     }
 }
 
@@ -398,6 +413,7 @@ static whirl_rotor *rotor_finish(building *b) {
         rotor->weight[b->assembly.degrees + own->row] += own->sin;
     }
     add_probes(rotor, b);
+    add_axial_probes(rotor, b);
     add_twists_and_axials(rotor, &b->assembly);
     add_runouts(rotor, &b->assembly);
     add_groups(rotor, &b->assembly);

@@ -431,6 +431,8 @@ void rotor_system_fill(whirl_rotor *rotor) {
                                    .adopt = rotor_adopt,
                                    .twist = rotor->twist_count > 0 ? rotor_twist : NULL,
                                    .axial = rotor->axial_count > 0 ? rotor_axial : NULL,
+                                   .axial_count = rotor->axial_probe_count,
+                                   .axial_stations = rotor->axial_stations,
                                    .torque_count = rotor_watched_count(rotor),
                                    .spool_count = rotor->spool_count,
                                    .spools = rotor->spools,

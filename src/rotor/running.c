@@ -920,6 +920,8 @@ static void running_fill_systems(running_rotor *r) {
                          .switch_touches = own->switch_count > 0 ? running_touches : NULL,
                          .probe_count = own->probe_count,
                          .probes = own->probes,
+                         .axial_count = own->axial_count,
+                         .axial_stations = own->axial_stations,
                          .spool_count = own->spool_count,
                          .spools = own->spools,
                          .model = r,

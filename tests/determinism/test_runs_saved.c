@@ -70,20 +70,23 @@ static const char motor[] =
     "  runup: {duration: 1.5 s, rows: 60, samples: 32, orbits: 4, change: {k: 1400, inertia: 0.3}, change_time: 0.8 "
     "s}\n";
 
-/// A rate after settling, and a dwell.
-static const char settled[] = "whirl: 1\n"
-                              "rotor:\n"
-                              "  speed: 1 rad/s\n"
-                              "  length_scale: 1 m\n"
-                              "  stations:\n"
-                              "    disc: {mass: 1 kg, damping: 0.1 N.s/m, eccentricity: 1 m}\n"
-                              "  elements:\n"
-                              "    - spring: {between: [disc, ground], stiffness: 1 N/m}\n"
-                              "    - rub:    {at: disc, gap: 4 m, stiffness: 5 N/m, friction: 0.1, law: paper}\n"
-                              "study:\n"
-                              "  runup: {rate: 0.003 rad/s2, speed_from: 2 rad/s, speed_to: 0.5 rad/s, begin: steady, "
-                              "settle: 30, duration: 600 s,\n"
-                              "          rows: 40, samples: 32}\n";
+/// A rate after settling, and a dwell, of a disc that moves along its shaft, too.
+static const char settled[] =
+    "whirl: 1\n"
+    "rotor:\n"
+    "  speed: 1 rad/s\n"
+    "  length_scale: 1 m\n"
+    "  stations:\n"
+    "    disc: {mass: 1 kg, damping: 0.1 N.s/m, eccentricity: 1 m, axial: yes}\n"
+    "  elements:\n"
+    "    - spring: {between: [disc, ground], along: axial, stiffness: 2 N/m, damping: 0.1}\n"
+    "    - force:  {at: disc, axial: 1 N}\n"
+    "    - spring: {between: [disc, ground], stiffness: 1 N/m}\n"
+    "    - rub:    {at: disc, gap: 4 m, stiffness: 5 N/m, friction: 0.1, law: paper}\n"
+    "study:\n"
+    "  runup: {rate: 0.003 rad/s2, speed_from: 2 rad/s, speed_to: 0.5 rad/s, begin: steady, "
+    "settle: 30, duration: 600 s,\n"
+    "          rows: 40, samples: 32, waveform: 3, spectra: 8, spectrum_turns: 4, orbits: 5}\n";
 
 /// Two shafts with speeds of their own that rub on each other: the turns of the second one go on over the stops.
 static const char two_shafts[] =

@@ -13,6 +13,7 @@
 #define WHIRL_FIELD_ORBIT_ECCENTRICITY "orbit/eccentricity"
 #define WHIRL_FIELD_ORBIT_LOW "orbit/low"
 #define WHIRL_FIELD_ORBIT_HIGH "orbit/high"
+#define WHIRL_FIELD_ORBIT_AXIAL "orbit/axial"
 
 #define WHIRL_FIELD_RUB_SHARE "rub/share"
 #define WHIRL_FIELD_RUB_NUMBER "rub/number"
@@ -30,12 +31,17 @@
 #define WHIRL_FIELD_RANGES_HELD "ranges/held"
 
 #define WHIRL_FIELD_WAVEFORM_SAMPLES "waveform/samples"
+#define WHIRL_FIELD_WAVEFORM_AXIAL "waveform/axial"
 
 #define WHIRL_FIELD_SPECTRUM_LINES "spectrum/lines"
 #define WHIRL_FIELD_SPECTRUM_AMPLITUDE "spectrum/amplitude"
 #define WHIRL_FIELD_SPECTRUM_SYNCHRONOUS "spectrum/synchronous"
 #define WHIRL_FIELD_SPECTRUM_SYNCHRONOUS_LAG "spectrum/synchronous_lag"
 #define WHIRL_FIELD_SPECTRUM_SHARE "spectrum/share"
+#define WHIRL_FIELD_SPECTRUM_AXIAL_LINES "spectrum/axial_lines"
+#define WHIRL_FIELD_SPECTRUM_AXIAL_AMPLITUDE "spectrum/axial_amplitude"
+#define WHIRL_FIELD_SPECTRUM_AXIAL_SYNCHRONOUS "spectrum/axial_synchronous"
+#define WHIRL_FIELD_SPECTRUM_AXIAL_LAG "spectrum/axial_lag"
 
 #define WHIRL_FIELD_LYAPUNOV_LARGEST "lyapunov/largest"
 #define WHIRL_FIELD_LYAPUNOV_ERROR "lyapunov/error"
@@ -234,6 +240,7 @@
 #define WHIRL_FIELD_TRACE_SECTION "trace/section"
 #define WHIRL_FIELD_TRACE_LOW "trace/low"
 #define WHIRL_FIELD_TRACE_HIGH "trace/high"
+#define WHIRL_FIELD_TRACE_AXIAL "trace/axial"
 
 #define WHIRL_FIELD_TORUS_NUMBER "torus/number"
 #define WHIRL_FIELD_TORUS_BRANCH "torus/branch"
@@ -259,6 +266,7 @@
 #define WHIRL_FIELD_TORUS_AMPLITUDE "torus/amplitude"
 #define WHIRL_FIELD_TORUS_LOW "torus/low"
 #define WHIRL_FIELD_TORUS_HIGH "torus/high"
+#define WHIRL_FIELD_TORUS_AXIAL "torus/axial"
 #define WHIRL_FIELD_TORUS_SECTION_LOW "torus/section_low"
 #define WHIRL_FIELD_TORUS_SECTION_HIGH "torus/section_high"
 #define WHIRL_FIELD_TORUS_SECTION "torus/section"
@@ -327,6 +335,16 @@
 #define WHIRL_FIELD_RUNUP_CONTACT_TIME "runup/contact_time"
 #define WHIRL_FIELD_RUNUP_CONTACT_FORCE "runup/contact_force"
 #define WHIRL_FIELD_RUNUP_CONTACT_GAP "runup/contact_gap"
+#define WHIRL_FIELD_RUNUP_AXIAL "runup/axial"
+#define WHIRL_FIELD_RUNUP_AXIAL_AMPLITUDE "runup/axial_amplitude"
+#define WHIRL_FIELD_RUNUP_AXIAL_LAG "runup/axial_lag"
+#define WHIRL_FIELD_RUNUP_AXIAL_EXTREME "runup/axial_extreme"
+#define WHIRL_FIELD_RUNUP_AXIAL_TIME "runup/axial_time"
+#define WHIRL_FIELD_RUNUP_AXIAL_SPEED "runup/axial_speed"
+#define WHIRL_FIELD_RUNUP_AXIAL_PLACE "runup/axial_place"
+#define WHIRL_FIELD_RUNUP_AXIAL_SPECTRUM "runup/axial_spectrum"
+#define WHIRL_FIELD_RUNUP_AXIAL_ORBIT "runup/axial_orbit"
+#define WHIRL_FIELD_RUNUP_AXIAL_WAVEFORM "runup/axial_waveform"
 
 #define WHIRL_FIELD_FIT_OUTCOME "fit/outcome"
 #define WHIRL_FIELD_FIT_UNKNOWN "fit/unknown"

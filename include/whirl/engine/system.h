@@ -195,8 +195,8 @@ typedef struct whirl_system {
     size_t frequency_count;
     const double *frequencies; ///< [frequency_count] at which the coefficients are known, rad/s, rising; borrowed
 
-    size_t probe_count;        ///< number of probes
-    const whirl_probe *probes; ///< borrowed; lives as long as the system
+    size_t probe_count;        ///< number of probes, one a station
+    const whirl_probe *probes; ///< [probe_count + axial_count] borrowed; lives as long as the system
 
     const void *model; ///< passed to every function; borrowed
 
@@ -244,6 +244,10 @@ typedef struct whirl_system {
     /// place of twists: 1 for an axial mode.
     double (*axial)(const void *model, const double *v, double *shape);
 
+    size_t axial_count; ///< stations that move along their shafts: each has one more probe, after those of all
+                        ///< stations, whose x is the axial displacement, in the state's units of length
+    const size_t *axial_stations; ///< [axial_count] stations of these probes, rising; borrowed
+
     size_t spool_count;               ///< shafts whose speed does not depend on the rotor's
     const struct whirl_spool *spools; ///< [spool_count] borrowed
 
@@ -258,6 +262,9 @@ typedef struct whirl_system {
     /// of the system for which their ensemble was made.
     const whirl_stop *stop;
 } whirl_system;
+
+/// Returns the number of all probes of a system: those of its stations and those of axial displacements.
+size_t whirl_watched_probes(const whirl_system *system);
 
 /// Maximum number of shafts of a rotor whose speed does not depend on the rotor's.
 enum { WHIRL_MAX_SPOOLS = 3 };

@@ -8,7 +8,7 @@
 #include <stddef.h>
 #include <string.h>
 
-enum { MAX_ANALYSIS_FIELDS = 64 };
+enum { MAX_ANALYSIS_FIELDS = 96 };
 
 /// Quantities that determine the sizes of the fields.
 typedef struct block_shape {
@@ -42,6 +42,10 @@ typedef struct block_view {
 /// longest orbit.
 size_t rows_per_coordinate(const block_shape *shape);
 size_t rows_of_longest_orbit(const block_shape *shape);
+
+/// Returns the rows of a field of axial displacements: 1, or 0 if no station moves along its shaft. Such a field has no
+/// dimension of rows (whirl_analysis_has_rows).
+size_t rows_of_axial(const block_shape *shape);
 
 /// Returns the numbers [rows][columns] of a field for a station or contact (0 for fields of the point), or NULL if the
 /// field was left out.

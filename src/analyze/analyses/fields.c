@@ -16,6 +16,10 @@ size_t rows_per_coordinate(const block_shape *shape) {
     return shape->dimension;
 }
 
+size_t rows_of_axial(const block_shape *shape) {
+    return shape->axial ? 1 : 0;
+}
+
 size_t rows_of_longest_orbit(const block_shape *shape) {
     return (size_t)shape->options->trace.longest;
 }

@@ -3,7 +3,7 @@
 
 #include "analysis.h"
 
-enum { WHIRL_WATCHED_OF_STATIONS(WATCHED_INDEX) ECCENTRICITY, LOW, HIGH, FIELD_COUNT };
+enum { WHIRL_WATCHED_OF_STATIONS(WATCHED_INDEX) ECCENTRICITY, LOW, HIGH, AXIAL, FIELD_COUNT };
 
 static const field_plan fields[FIELD_COUNT] = {
     [ECCENTRICITY] =
@@ -14,6 +14,11 @@ static const field_plan fields[FIELD_COUNT] = {
              NULL},
     [HIGH] = {WHIRL_FIELD_ORBIT_HIGH, "length", "x, y (most at any instant, from the centre)", WHIRL_PER_STATION, 2,
               NULL},
+    [AXIAL] =
+        {WHIRL_FIELD_ORBIT_AXIAL, "length",
+         "mean, least, largest (axial displacement at all instants, in the direction of growing positions; missing "
+         "where the station does not move along its shaft)",
+         WHIRL_PER_STATION, 3, rows_of_axial},
     // clang-format off
     WHIRL_WATCHED_OF_STATIONS(WATCHED_PLAN)
     // clang-format on
@@ -38,6 +43,14 @@ static whirl_status orbit_compute(const whirl_record *record, const whirl_record
         }
         if (orbit_rests(view_numbers(view, LOW, which), view_numbers(view, HIGH, which), radius))
             *view_numbers(view, WATCHED_backward, which) = NAN;
+    }
+    // Probes of axial displacements follow those of the stations.
+    for (size_t i = 0; i < record->axial_count; i++) {
+        const whirl_probe *probe = &record->probes[record->probe_count + i];
+        double *axial = view_numbers(view, AXIAL, record->axial_stations[i]);
+        axial[0] = record->mean[2 * (record->probe_count + i)];
+        axial[1] = whirl_probe_value(probe, record->low, 0);
+        axial[2] = whirl_probe_value(probe, record->high, 0);
     }
     return whirl_ok();
 }

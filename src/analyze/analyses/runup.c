@@ -15,6 +15,10 @@ static size_t runup_every_row(const block_shape *shape) {
     return (size_t)shape->options->runup.rows;
 }
 
+static size_t runup_every_row_of_axial(const block_shape *shape) {
+    return rows_of_axial(shape) * runup_every_row(shape);
+}
+
 static size_t runup_every_torque(const block_shape *shape) {
     return whirl_runup_driven(&shape->options->runup) ? shape->torque_count : 0;
 }
@@ -93,6 +97,16 @@ static size_t runup_every_stationary(const block_shape *shape) {
     const whirl_runup_options *o = &shape->options->runup;
     const bool other = shape->torque_count > 0 || shape->twists || *o->torque_law || *o->load_law || o->shaft_count > 0;
     return !whirl_runup_driven(o) || o->stationary == 0 || other ? 0 : RUNUP_STATIONARY;
+}
+
+static size_t runup_every_bin_of_axial_spectra(const block_shape *shape) {
+    return rows_of_axial(shape) * runup_every_bin_of_spectra(shape);
+}
+static size_t runup_every_instant_of_axial_orbits(const block_shape *shape) {
+    return rows_of_axial(shape) * runup_every_instant_of_orbits(shape);
+}
+static size_t runup_every_instant_of_axial_waveforms(const block_shape *shape) {
+    return rows_of_axial(shape) * runup_every_instant_of_waveforms(shape);
 }
 
 /// Columns of the field of events.
@@ -311,6 +325,34 @@ static const field_plan fields[FIELD_COUNT] = {
                        runup_every_instant_of_waveforms},
     [CONTACT_GAP] = {WHIRL_FIELD_RUNUP_CONTACT_GAP, "length", "gap at these instants; below 0: pressed in",
                      WHIRL_PER_CONTACT, 1, runup_every_instant_of_waveforms},
+    [AXIAL] = {WHIRL_FIELD_RUNUP_AXIAL, "length",
+               "mean, least, largest (axial displacement, in the direction of growing positions: mean over the turn, "
+               "extremes since the row before; missing where the station does not move along its shaft)",
+               WHIRL_PER_STATION, 3, runup_every_row_of_axial},
+    [AXIAL_AMPLITUDE] = {WHIRL_FIELD_RUNUP_AXIAL_AMPLITUDE, "length",
+                         "axial1, axial2, axial3, axial4 (0-p amplitudes of the axial displacement at 1 to 4 times the "
+                         "speed, over the turn)",
+                         WHIRL_PER_STATION, RUNUP_ORDERS, runup_every_row_of_axial},
+    [AXIAL_LAG] = {WHIRL_FIELD_RUNUP_AXIAL_LAG, "deg",
+                   "axial1, axial2, axial3, axial4 (angles by which these peaks come after the mark)",
+                   WHIRL_PER_STATION, RUNUP_ORDERS, runup_every_row_of_axial},
+    [AXIAL_EXTREME] = {WHIRL_FIELD_RUNUP_AXIAL_EXTREME, "length",
+                       "least, largest (axial displacement in the run; located)", WHIRL_PER_STATION, 2, rows_of_axial},
+    [AXIAL_TIME] = {WHIRL_FIELD_RUNUP_AXIAL_TIME, "s", "least, largest (times of these displacements)",
+                    WHIRL_PER_STATION, 2, rows_of_axial},
+    [AXIAL_SPEED] = {WHIRL_FIELD_RUNUP_AXIAL_SPEED, "rad/s", "least, largest (speeds of the shaft at these times)",
+                     WHIRL_PER_STATION, 2, rows_of_axial},
+    [AXIAL_PLACE] = {WHIRL_FIELD_RUNUP_AXIAL_PLACE, "length", "axial displacement at the end of the run",
+                     WHIRL_PER_STATION, 1, rows_of_axial},
+    [AXIAL_SPECTRUM] =
+        {WHIRL_FIELD_RUNUP_AXIAL_SPECTRUM, "length",
+         "0-p amplitudes of the axial displacement at the orders; a row a bin, one spectrum after another",
+         WHIRL_PER_STATION, 1, runup_every_bin_of_axial_spectra},
+    [AXIAL_ORBIT] = {WHIRL_FIELD_RUNUP_AXIAL_ORBIT, "length", "axial displacement at the instants of the orbits",
+                     WHIRL_PER_STATION, 1, runup_every_instant_of_axial_orbits},
+    [AXIAL_WAVEFORM] = {WHIRL_FIELD_RUNUP_AXIAL_WAVEFORM, "length",
+                        "axial displacement at the instants of the station's waveforms", WHIRL_PER_STATION, 1,
+                        runup_every_instant_of_axial_waveforms},
 };
 
 /// State of filling the rows of a run.
@@ -321,6 +363,7 @@ typedef struct filling {
     size_t rows, contacts, torques;
     double duration, way;
     double *radius, *force; ///< [probes], [contacts] largest since the row before
+    double *axial;          ///< [axial_count][2] least and largest axial displacement since the row before
     size_t row;             ///< row of the last turn
     runup_views views;
     runup_history *histories; ///< [torques]
@@ -358,6 +401,24 @@ static void runup_fill_station(const filling *f, const runup_turn *turn, size_t 
     runup_fill_orders(f, own, probe, own->radius, f->way < 0.0, orders, f->row);
 }
 
+/// Fills in the axial displacement of a station over a turn: that of a probe, from 0 among those of axial
+/// displacements.
+static void runup_fill_axial(const filling *f, const runup_turn *turn, size_t index) {
+    const runup_station *own = &turn->stations[f->system->probe_count + index];
+    const size_t station = f->system->axial_stations[index];
+    double *extremes = f->axial + 2 * index, *row = runup_at_row(f, AXIAL, station, 3);
+    row[1] = extremes[0] = fmin(extremes[0], own->least);
+    row[2] = extremes[1] = fmax(extremes[1], own->largest);
+    if (!turn->whole) return;
+    row[0] = own->mean[0];
+    for (size_t k = 0; k < RUNUP_ORDERS; k++) {
+        const double size = fmax(fabs(own->least), fabs(own->largest));
+        const whirl_synchronous part = synchronous_of(own->x[k], own->y[k], size);
+        runup_at_row(f, AXIAL_AMPLITUDE, station, RUNUP_ORDERS)[k] = part.amplitude[0];
+        runup_at_row(f, AXIAL_LAG, station, RUNUP_ORDERS)[k] = part.lag[0];
+    }
+}
+
 /// Fills in the torques on a shaft at a row of a field.
 static void runup_fill_torque_row(const filling *f, size_t field, size_t row, const whirl_torques *of) {
     runup_list_torques(of, view_numbers(f->view, field, 0) + row * RUNUP_SHAFT_TORQUES);
@@ -389,6 +450,8 @@ static void runup_fill_row(void *context, const runup_turn *turn) {
     const size_t row = runup_row_at(f, turn->end);
     if (row != f->row || isnan(*runup_at_row(f, TIME, 0, 1))) {
         for (size_t p = 0; p < probes; p++) f->radius[p] = 0.0;
+        for (size_t i = 0; i < f->system->axial_count; i++)
+            f->axial[2 * i] = (double)INFINITY, f->axial[2 * i + 1] = -(double)INFINITY;
         for (size_t c = 0; c < f->contacts; c++) f->force[c] = 0.0;
     }
     f->row = row;
@@ -398,6 +461,7 @@ static void runup_fill_row(void *context, const runup_turn *turn) {
         *runup_at_row(f, RADIUS, p, 1) = f->radius[p];
         if (turn->whole) runup_fill_station(f, turn, p);
     }
+    for (size_t i = 0; i < f->system->axial_count; i++) runup_fill_axial(f, turn, i);
     for (size_t c = 0; c < f->contacts; c++) {
         f->force[c] = fmax(f->force[c], turn->force[c]);
         *runup_at_row(f, FORCE, c, 1) = f->force[c];
@@ -438,6 +502,7 @@ static void runup_archive_filling(filling *f, runup_state *state, archive *a) {
     }
     archive_part(a, f->radius, f->system->probe_count * sizeof *f->radius);
     archive_part(a, f->force, f->contacts * sizeof *f->force);
+    archive_part(a, f->axial, 2 * f->system->axial_count * sizeof *f->axial);
     archive_count(a, &f->row, f->rows);
     runup_views_archive(&f->views, a);
     if (f->point->motion) run_motion_archive(f->point->motion, a);
@@ -606,6 +671,18 @@ static void runup_fill_end(const filling *f, const runup_run *run) {
         *view_numbers(view, PEAK_TIME, p) = run->peaks[p].time;
         *view_numbers(view, PEAK_SPEED, p) = run->peaks[p].speed;
     }
+    const runup_peak *peak = run->peaks + f->system->probe_count;
+    for (size_t i = 0; i < f->system->axial_count; i++) {
+        const size_t station = f->system->axial_stations[i];
+        const whirl_probe *probe = &f->system->probes[f->system->probe_count + i];
+        *view_numbers(view, AXIAL_PLACE, station) = whirl_probe_value(probe, run->last, 0);
+        for (size_t side = 0; side < 2; side++, peak++) {
+            if (!isfinite(peak->radius)) continue;
+            view_numbers(view, AXIAL_EXTREME, station)[side] = side == 0 ? -peak->radius : peak->radius;
+            view_numbers(view, AXIAL_TIME, station)[side] = peak->time;
+            view_numbers(view, AXIAL_SPEED, station)[side] = peak->speed;
+        }
+    }
     for (size_t c = 0; c < f->contacts; c++) {
         double *contact = view_numbers(view, CONTACT, c);
         const runup_contact *own = &run->contacts[c];
@@ -644,7 +721,7 @@ typedef struct runup_job {
     whirl_runup_options options;
     const block_view *view;
     whirl_running *running;
-    double *numbers; ///< memory of run.last, plan.start, f.radius and f.force
+    double *numbers; ///< memory of run.last, plan.start, f.radius, f.force and f.axial
     runup_run run;
     runup_happening events[RUNUP_EVENTS];
     filling f;
@@ -681,8 +758,8 @@ static void runup_job_begin(runup_job *job, bool resume) {
     const whirl_system *system = running->by_angle;
     const size_t d = system->dimension, probes = system->probe_count, contacts = running->contact_count;
     const size_t torques = running->in_time ? running->watched_count : 0;
-    job->numbers = calloc(2 * d + probes + contacts + 1, sizeof *job->numbers);
-    job->run = (runup_run){.peaks = calloc(probes + 1, sizeof(runup_peak)),
+    job->numbers = calloc(2 * d + probes + contacts + 2 * system->axial_count + 1, sizeof *job->numbers);
+    job->run = (runup_run){.peaks = calloc(probes + 2 * system->axial_count + 1, sizeof(runup_peak)),
                            .contacts = calloc(contacts + 1, sizeof(runup_contact)),
                            .torques = calloc(torques + 1, sizeof(runup_torque)),
                            .events = job->events,
@@ -716,6 +793,7 @@ static void runup_job_begin(runup_job *job, bool resume) {
     }
     f->radius = job->numbers + 2 * d;
     f->force = f->radius + probes;
+    f->axial = f->force + contacts;
     f->duration = whirl_runup_duration(o);
     if (probes > 0) f->way = whirl_probe_way(&system->probes[0]);
     plan->start = job->numbers + d;

@@ -72,6 +72,16 @@ enum {
     CONTACT_TIME,
     CONTACT_FORCE,
     CONTACT_GAP,
+    AXIAL,
+    AXIAL_AMPLITUDE,
+    AXIAL_LAG,
+    AXIAL_EXTREME,
+    AXIAL_TIME,
+    AXIAL_SPEED,
+    AXIAL_PLACE,
+    AXIAL_SPECTRUM,
+    AXIAL_ORBIT,
+    AXIAL_WAVEFORM,
     FIELD_COUNT
 };
 
@@ -83,9 +93,10 @@ void runup_fill_slow_roll(const block_view *view, const whirl_runup_options *opt
 typedef struct runup_views {
     const block_view *view;
     const whirl_runup_options *options;
+    const whirl_system *system;
     double duration;      ///< s, of the whole run
     bool clockwise;       ///< sense of rotation
-    turn_samples samples; ///< samples of the turn; their numbers are NULL if no view is wanted
+    turn_samples samples; ///< of the turn, with those of axial displacements; numbers are NULL if no view is wanted
     turn_history history;
     double *memory;         ///< x and y of a spectrum
     size_t spectra, orbits; ///< number of spectra and orbits that are filled, or whose time has passed

@@ -2,6 +2,7 @@
 // before its time, with a Hann window and without the mean: so orders remain lines however the speed changes.
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "runup_parts.h"
 #include "spectrum.h"
@@ -22,12 +23,12 @@ static size_t views_max_turns(const whirl_runup_options *options) {
 whirl_status runup_views_new(const block_view *view, const whirl_runup_options *options, const whirl_system *system,
                              size_t contacts, size_t watched, double duration, runup_views *views) {
     const size_t turns = views_max_turns(options), bins = runup_bins(options), all = system->probe_count + contacts;
-    *views = (runup_views){.view = view, .options = options, .duration = duration};
+    *views = (runup_views){.view = view, .options = options, .system = system, .duration = duration};
     if (turns == 0) return whirl_ok();
     views->clockwise = system->probe_count > 0 && whirl_probe_way(&system->probes[0]) < 0.0;
     // Torques within a turn are those of orbits, and of shafts that torques turn.
     const bool torques = options->orbits > 0 && whirl_runup_driven(options);
-    views->samples = turn_samples_new((size_t)options->samples, system->probe_count, contacts,
+    views->samples = turn_samples_new((size_t)options->samples, whirl_watched_probes(system), contacts,
                                       torques ? RUNUP_SHAFT_TORQUES + watched : 0);
     views->history = turn_history_new(turns, &views->samples);
     views->memory = calloc(2 * turns * views->samples.samples, sizeof *views->memory);
@@ -60,7 +61,7 @@ static whirl_status runup_fill_spectrum(runup_views *views, size_t row) {
     view_numbers(views->view, SPECTRUM_TIME, 0)[row] = 0.5 * (numbers[0] + views->history.end);
     view_numbers(views->view, SPECTRUM_SPEED, 0)[row] = two_pi * (double)turns / (views->history.end - numbers[0]);
     double *x = views->memory, *y = x + count;
-    // Transform the motion of each station; forward is the sense of the shaft.
+    // Transform the motion of each station, and its axial displacement; forward is the sense of the shaft.
     for (size_t p = 0; p < of->probes; p++) {
         whirl_spectrum *made = NULL;
         for (size_t k = 0; k < count; k++) {
@@ -71,8 +72,12 @@ static whirl_status runup_fill_spectrum(runup_views *views, size_t row) {
         if (status.code != WHIRL_OK) return status;
         const double *ways[] = {views->clockwise ? made->backward : made->forward,
                                 views->clockwise ? made->forward : made->backward};
-        double *out = view_numbers(views->view, SPECTRUM, p) + 2 * row * bins;
-        for (size_t bin = 0; bin < bins; bin++)
+        const size_t stations = views->system->probe_count;
+        double *out = p < stations ? view_numbers(views->view, SPECTRUM, p) + 2 * row * bins : NULL;
+        if (p >= stations)
+            memcpy(view_numbers(views->view, AXIAL_SPECTRUM, views->system->axial_stations[p - stations]) + row * bins,
+                   made->x, bins * sizeof *made->x);
+        for (size_t bin = 0; out && bin < bins; bin++)
             for (size_t way = 0; way < 2; way++) out[2 * bin + way] = ways[way][bin];
         whirl_spectrum_free(made);
     }
@@ -112,8 +117,13 @@ static void runup_fill_orbits(runup_views *views, size_t row) {
     if (!turn) return;
     view_numbers(views->view, ORBIT_TIME, 0)[row] = 0.5 * (turn[0] + views->history.end);
     view_numbers(views->view, ORBIT_SPEED, 0)[row] = two_pi / (views->history.end - turn[0]);
-    for (size_t p = 0; p < views->samples.probes; p++)
-        runup_fill_orbit(views, turn, p, view_numbers(views->view, ORBIT, p) + 2 * row * views->samples.samples);
+    const size_t stations = views->system->probe_count, samples = views->samples.samples;
+    for (size_t p = 0; p < stations; p++)
+        runup_fill_orbit(views, turn, p, view_numbers(views->view, ORBIT, p) + 2 * row * samples);
+    for (size_t i = 0; i < views->system->axial_count; i++) {
+        double *out = view_numbers(views->view, AXIAL_ORBIT, views->system->axial_stations[i]) + row * samples;
+        for (size_t k = 0; k < samples; k++) out[k] = turn[k * views->samples.width + 1 + 2 * (stations + i)];
+    }
     runup_fill_instants(views, turn, row);
 }
 
@@ -135,14 +145,24 @@ static whirl_status runup_fill_due(runup_views *views, double end) {
 
 // ---------------------------------------------------------------- waveforms
 
+/// Returns the column of the axial displacement of a station in a row of samples; 0 if it has none.
+static size_t runup_axial_column(const runup_views *views, size_t station) {
+    const whirl_system *system = views->system;
+    for (size_t i = 0; i < system->axial_count; i++)
+        if (system->axial_stations[i] == station) return 1 + 2 * (system->probe_count + i);
+    return 0;
+}
+
 /// Fills a waveform of a station, or of a contact (behind all stations), from the last turns, as many as there are.
 static void runup_fill_waveform(const runup_views *views, size_t which, size_t window) {
     const turn_samples *of = &views->samples;
     size_t turns = (size_t)views->options->waveform;
     const size_t first = window * turns * of->samples;
     if (turns > views->history.held) turns = views->history.held;
-    const bool contact = which >= of->probes;
-    const size_t owner = contact ? which - of->probes : which;
+    const size_t stations = views->system->probe_count;
+    const bool contact = which >= stations;
+    const size_t owner = contact ? which - stations : which;
+    const size_t axial = contact ? 0 : runup_axial_column(views, owner);
     const size_t column = contact ? 1 + 2 * of->probes + 2 * owner : 1 + 2 * owner;
     const double *numbers = turn_history_last(&views->history, turns);
     double *time = view_numbers(views->view, contact ? CONTACT_TIME : WAVEFORM_TIME, owner) + first;
@@ -155,13 +175,14 @@ static void runup_fill_waveform(const runup_views *views, size_t which, size_t w
         } else {
             for (size_t axis = 0; axis < 2; axis++)
                 view_numbers(views->view, WAVEFORM, owner)[2 * (first + k) + axis] = row[column + axis];
+            if (axial > 0) view_numbers(views->view, AXIAL_WAVEFORM, owner)[first + k] = row[axial];
         }
     }
 }
 
 /// Fills the waveforms that are complete after the last turn; with `ended`, also the incomplete ones.
 static void runup_fill_waveforms(const runup_views *views, bool ended) {
-    const size_t all = views->samples.probes + views->samples.contacts;
+    const size_t all = views->system->probe_count + views->samples.contacts;
     for (size_t window = 0; window < WHIRL_RUNUP_WAVEFORMS; window++)
         for (size_t which = 0; which < all; which++) {
             size_t *due = &views->due[window * all + which];
@@ -173,15 +194,15 @@ static void runup_fill_waveforms(const runup_views *views, bool ended) {
 
 /// Notes a turn with an event, and stations and contacts whose largest motion or force is in this turn.
 static void runup_note_turn(runup_views *views, const runup_turn *turn) {
-    const turn_samples *of = &views->samples;
-    const size_t all = of->probes + of->contacts, waveform = (size_t)views->options->waveform;
+    const size_t stations = views->system->probe_count;
+    const size_t all = stations + views->samples.contacts, waveform = (size_t)views->options->waveform;
     const size_t complete = views->turns + waveform / 2;
     if (turn->parted) views->events++;
     for (size_t which = 0; which < all; which++) {
-        const double size = which < of->probes ? turn->stations[which].radius : turn->force[which - of->probes];
+        const double size = which < stations ? turn->stations[which].radius : turn->force[which - stations];
         const bool larger = size > views->largest[which];
         if (larger) views->largest[which] = size;
-        if (larger && which < of->probes && views->options->orbits > 0)
+        if (larger && which < stations && views->options->orbits > 0)
             runup_fill_orbit(views, turn->samples, which, view_numbers(views->view, PEAK_ORBIT, which));
         if (larger && waveform > 0) views->due[which] = complete;
         if (turn->parted && waveform > 0 && views->events < WHIRL_RUNUP_WAVEFORMS)
@@ -204,7 +225,7 @@ whirl_status runup_views_add(runup_views *views, const runup_turn *turn) {
 }
 
 void runup_views_archive(runup_views *views, archive *a) {
-    const size_t all = views->samples.probes + views->samples.contacts;
+    const size_t all = views->system->probe_count + views->samples.contacts;
     turn_history *history = &views->history;
     if (!views->samples.numbers) return;
     archive_count(a, &views->spectra, (size_t)views->options->spectra);

@@ -169,8 +169,9 @@ whirl_status whirl_spectrum_new(const whirl_record *record, size_t probe, double
                                 whirl_spectrum **spectrum) {
     *spectrum = NULL;
     if (record->sample_count == 0) return whirl_fail(WHIRL_BAD_INPUT, "the record holds no samples of a waveform");
-    if (probe >= record->probe_count) {
-        return whirl_fail(WHIRL_BAD_INPUT, "there is no probe %zu, the record has %zu", probe, record->probe_count);
+    if (probe >= record->probe_count + record->axial_count) {
+        return whirl_fail(WHIRL_BAD_INPUT, "there is no probe %zu, the record has %zu", probe,
+                          record->probe_count + record->axial_count);
     }
     const size_t count = record->sample_count;
     double *x = malloc(2 * count * sizeof *x);
@@ -197,7 +198,26 @@ static size_t kept_bins(const block_shape *shape) {
     return spectrum_bins((size_t)shape->options->record, shape->samples_per_revolution, shape->options->highest_order);
 }
 
-enum { LINES, AMPLITUDE, SYNCHRONOUS, LAG, SHARE, FIELD_COUNT };
+static size_t lines_of_axial(const block_shape *shape) {
+    return rows_of_axial(shape) * most_lines(shape);
+}
+
+static size_t bins_of_axial(const block_shape *shape) {
+    return rows_of_axial(shape) * kept_bins(shape);
+}
+
+enum {
+    LINES,
+    AMPLITUDE,
+    SYNCHRONOUS,
+    LAG,
+    SHARE,
+    AXIAL_LINES,
+    AXIAL_AMPLITUDE,
+    AXIAL_SYNCHRONOUS,
+    AXIAL_LAG,
+    FIELD_COUNT
+};
 
 static const field_plan fields[FIELD_COUNT] = {
     [LINES] = {WHIRL_FIELD_SPECTRUM_LINES, "length", "order, x, y, forward, backward (0-p amplitudes)",
@@ -209,6 +229,18 @@ static const field_plan fields[FIELD_COUNT] = {
     [SHARE] = {WHIRL_FIELD_SPECTRUM_SHARE, "1", "share of the motion's mean square about its mean that the lines hold",
                WHIRL_PER_STATION, 1, NULL},
     [LAG] = {WHIRL_FIELD_SPECTRUM_SYNCHRONOUS_LAG, "deg", "x, y, forward, backward", WHIRL_PER_STATION, 4, NULL},
+    [AXIAL_LINES] = {WHIRL_FIELD_SPECTRUM_AXIAL_LINES, "length",
+                     "order, amplitude (0-p amplitudes of axial displacements; missing where the station does not move "
+                     "along its shaft)",
+                     WHIRL_PER_STATION, 2, lines_of_axial},
+    [AXIAL_AMPLITUDE] = {WHIRL_FIELD_SPECTRUM_AXIAL_AMPLITUDE, "length",
+                         "order, amplitude (0-p amplitudes of axial displacements)", WHIRL_PER_STATION, 2,
+                         bins_of_axial},
+    [AXIAL_SYNCHRONOUS] = {WHIRL_FIELD_SPECTRUM_AXIAL_SYNCHRONOUS, "length",
+                           "0-p amplitude of the axial displacement at the speed", WHIRL_PER_STATION, 1, rows_of_axial},
+    [AXIAL_LAG] = {WHIRL_FIELD_SPECTRUM_AXIAL_LAG, "deg",
+                   "angle by which the peak of the axial displacement comes after the mark", WHIRL_PER_STATION, 1,
+                   rows_of_axial},
 };
 
 static double *put_row(double *out, const whirl_line *line) {
@@ -233,13 +265,31 @@ static void put_spectrum(const whirl_spectrum *spectrum, const block_view *view,
     memcpy(view_numbers(view, LAG, station), spectrum->synchronous.lag, 4 * sizeof(double));
 }
 
+/// Fills in the spectrum of axial displacements of a station, which is that of x.
+static void put_axial_spectrum(const whirl_spectrum *spectrum, const block_view *view, size_t station) {
+    double *lines = view_numbers(view, AXIAL_LINES, station), *bins = view_numbers(view, AXIAL_AMPLITUDE, station);
+    for (size_t l = 0; l < spectrum->line_count; l++) {
+        *lines++ = spectrum->lines[l].order;
+        *lines++ = spectrum->lines[l].x;
+    }
+    for (size_t k = 0; k < spectrum->count && bins; k++) {
+        *bins++ = (double)k * spectrum->resolution;
+        *bins++ = spectrum->x[k];
+    }
+    *view_numbers(view, AXIAL_SYNCHRONOUS, station) = spectrum->synchronous.amplitude[0];
+    *view_numbers(view, AXIAL_LAG, station) = spectrum->synchronous.lag[0];
+}
+
 static whirl_status spectrum_compute(const whirl_record *record, const whirl_record_options *options,
                                      const block_view *view) {
-    for (size_t s = 0; s < record->probe_count; s++) {
+    for (size_t s = 0; s < record->probe_count + record->axial_count; s++) {
         whirl_spectrum *spectrum;
         const whirl_status status = whirl_spectrum_new(record, s, options->highest_order, &spectrum);
         if (status.code != WHIRL_OK) return status;
-        put_spectrum(spectrum, view, s);
+        if (s < record->probe_count)
+            put_spectrum(spectrum, view, s);
+        else
+            put_axial_spectrum(spectrum, view, record->axial_stations[s - record->probe_count]);
         whirl_spectrum_free(spectrum);
     }
     return whirl_ok();

@@ -33,6 +33,7 @@ enum {
     SECTION_LOW,
     SECTION_HIGH,
     SECTION,
+    AXIAL,
     FIELD_COUNT
 };
 
@@ -100,6 +101,10 @@ static const field_plan fields[FIELD_COUNT] = {
     [SECTION] = {WHIRL_FIELD_TORUS_SECTION, "length",
                  "x, y, vx, vy (from the centre; velocities are lengths per unit of the system's time)",
                  WHIRL_PER_STATION, 4, most_nodes},
+    [AXIAL] = {WHIRL_FIELD_TORUS_AXIAL, "length",
+               "least, largest (axial displacement at any instant; missing where the station does not move along its "
+               "shaft)",
+               WHIRL_PER_STATION, 2, rows_of_axial},
 };
 
 static void put_place(const block_view *view, const whirl_torus_trace *trace) {
@@ -162,6 +167,16 @@ static void put_station(const block_view *view, const whirl_torus_trace *trace, 
     }
 }
 
+/// Writes the bounds of the axial displacements.
+static void put_axial(const block_view *view, const whirl_system *system, const double *low, const double *high) {
+    for (size_t i = 0; i < system->axial_count; i++) {
+        const whirl_probe *probe = &system->probes[system->probe_count + i];
+        double *out = view_numbers(view, AXIAL, system->axial_stations[i]);
+        out[0] = whirl_probe_value(probe, low, 0);
+        out[1] = whirl_probe_value(probe, high, 0);
+    }
+}
+
 static whirl_status torus_compute(const whirl_torus_trace *trace, const whirl_record_options *options,
                                   const block_view *view) {
     const whirl_torus *torus = trace->torus;
@@ -173,6 +188,7 @@ static whirl_status torus_compute(const whirl_torus_trace *trace, const whirl_re
                           torus->node_count, torus->revolutions, most, longest_orbit);
     put_torus(view, torus);
     for (size_t i = 0; i < trace->system->probe_count; i++) put_station(view, trace, i);
+    put_axial(view, trace->system, trace->view->low, trace->view->high);
     return whirl_ok();
 }
 

@@ -25,6 +25,7 @@ enum {
     SECTION,
     LOW,
     HIGH,
+    AXIAL,
     FIELD_COUNT
 };
 
@@ -77,6 +78,10 @@ static const field_plan fields[FIELD_COUNT] = {
              NULL},
     [HIGH] = {WHIRL_FIELD_TRACE_HIGH, "length", "x, y (most at any instant, from the centre)", WHIRL_PER_STATION, 2,
               NULL},
+    [AXIAL] = {WHIRL_FIELD_TRACE_AXIAL, "length",
+               "least, largest (axial displacement at any instant; missing where the station does not move along its "
+               "shaft)",
+               WHIRL_PER_STATION, 2, rows_of_axial},
 };
 
 // ---------------------------------------------------------------- to numbers
@@ -132,6 +137,16 @@ static void put_station(const block_view *view, const whirl_system *system, cons
     }
 }
 
+/// Writes the bounds of the axial displacements.
+static void put_axial(const block_view *view, const whirl_system *system, const double *low, const double *high) {
+    for (size_t i = 0; i < system->axial_count; i++) {
+        const whirl_probe *probe = &system->probes[system->probe_count + i];
+        double *out = view_numbers(view, AXIAL, system->axial_stations[i]);
+        out[0] = whirl_probe_value(probe, low, 0);
+        out[1] = whirl_probe_value(probe, high, 0);
+    }
+}
+
 static whirl_status trace_compute(const whirl_trace *trace, const whirl_record_options *options,
                                   const block_view *view) {
     const whirl_orbit *orbit = trace->point.orbit;
@@ -142,6 +157,7 @@ static whirl_status trace_compute(const whirl_trace *trace, const whirl_record_o
     put_point(view, trace);
     put_arrays(view, orbit);
     for (size_t i = 0; i < trace->system->probe_count; i++) put_station(view, trace->system, orbit, i);
+    put_axial(view, trace->system, orbit->low, orbit->high);
     return whirl_ok();
 }
 

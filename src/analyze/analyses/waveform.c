@@ -1,4 +1,4 @@
-// Waveforms: displacements that probes see over the last revolutions of the record.
+// Waveforms: displacements that probes see, and axial displacements, over the last revolutions of the record.
 #include <stdlib.h>
 
 #include "analysis.h"
@@ -7,12 +7,19 @@ static size_t kept_samples(const block_shape *shape) {
     return (size_t)shape->options->waveform_revolutions * shape->samples_per_revolution;
 }
 
-enum { SAMPLES };
+static size_t kept_axial(const block_shape *shape) {
+    return rows_of_axial(shape) * kept_samples(shape);
+}
 
-static const field_plan fields[] = {
+enum { SAMPLES, AXIAL, FIELD_COUNT };
+
+static const field_plan fields[FIELD_COUNT] = {
     [SAMPLES] = {WHIRL_FIELD_WAVEFORM_SAMPLES, "length",
                  "x, y (from the centre, at equal angles; with runout, where there is any)", WHIRL_PER_STATION, 2,
                  kept_samples},
+    [AXIAL] = {WHIRL_FIELD_WAVEFORM_AXIAL, "length",
+               "axial displacement at these angles (missing where the station does not move along its shaft)",
+               WHIRL_PER_STATION, 1, kept_axial},
 };
 
 static whirl_status waveform_compute(const whirl_record *record, const whirl_record_options *options,
@@ -32,9 +39,13 @@ static whirl_status waveform_compute(const whirl_record *record, const whirl_rec
             *out++ = x[kept + j];
         }
     }
+    for (size_t i = 0; i < record->axial_count && kept > 0; i++) {
+        fill_seen(record, record->probe_count + i, kept, x);
+        memcpy(view_numbers(view, AXIAL, record->axial_stations[i]), x, kept * sizeof *x);
+    }
     free(x);
     return whirl_ok();
 }
 
 const analysis_plan waveform_analysis = {
-    .fields = fields, .field_count = 1, .needs_waveform = true, .compute = waveform_compute};
+    .fields = fields, .field_count = FIELD_COUNT, .needs_waveform = true, .compute = waveform_compute};

@@ -87,7 +87,7 @@ static void write_revolutions(const whirl_system *system, const path *p, whirl_r
         for (size_t i = 0; i < samples; i++) {
             const size_t at = n * samples + i;
             state_after(p, (double)n + (double)(i + 1) / (double)samples, x);
-            for (size_t k = 0; k < 2 * system->probe_count; k++)
+            for (size_t k = 0; k < 2 * whirl_watched_probes(system); k++)
                 record->waveform[k * record->sample_count + at] = whirl_probe_value(&system->probes[k / 2], x, k % 2);
         }
         state_after(p, (double)(n + 1), x);

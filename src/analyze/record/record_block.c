@@ -34,10 +34,11 @@ static sizes record_block_measure(const whirl_system *system, const whirl_integr
                    .points = angles > 0 ? watch * (system->dimension + angles) : 0,
                    .growth = options->growth != WHIRL_GROWTH_NONE ? watch : 0,
                    .growths = options->growth == WHIRL_GROWTH_ALL ? watch : 0,
-                   .waveform = options->waveform ? 2 * system->probe_count * (size_t)options->record * samples : 0,
+                   .waveform =
+                       options->waveform ? 2 * whirl_watched_probes(system) * (size_t)options->record * samples : 0,
                    .multipliers = options->orbits ? 2 * system->dimension : 0,
                    .dimension = system->dimension,
-                   .probes = system->probe_count,
+                   .probes = whirl_watched_probes(system),
                    .contacts = system->contact_count};
 }
 
@@ -86,6 +87,8 @@ whirl_record *record_new(const whirl_system *system, const whirl_integrate_optio
     // Copy what analyses need to know of the system.
     record->dimension = system->dimension;
     record->probe_count = system->probe_count;
+    record->axial_count = system->axial_count;
+    record->axial_stations = system->axial_stations;
     record->contact_count = system->contact_count;
     record->probes = system->probes;
     record->turns = system->turns;
@@ -111,11 +114,11 @@ static void options_archive(const whirl_member *member, const void *options, arc
 
 void record_archive(whirl_record *r, const whirl_integrate_options *integrate, const whirl_record_options *options,
                     archive *a) {
-    const size_t samples = r->record_count * r->samples_per_revolution;
+    const size_t samples = r->record_count * r->samples_per_revolution, probes = r->probe_count + r->axial_count;
     options_archive(whirl_integrate_members(), integrate, a);
     options_archive(whirl_record_members(), options, a);
     archive_same(a, (double)r->dimension);
-    archive_same(a, (double)r->probe_count);
+    archive_same(a, (double)probes);
     archive_same(a, (double)r->contact_count);
     archive_part(a, &r->revolutions, sizeof r->revolutions);
     archive_part(a, &r->orbit.set_at, sizeof r->orbit.set_at);
@@ -127,10 +130,10 @@ void record_archive(whirl_record *r, const whirl_integrate_options *integrate, c
     archive_part(a, r->growth, r->growth_count * sizeof *r->growth);
     if (r->growths) archive_part(a, r->growths, r->growth_count * r->dimension * sizeof *r->growths);
     if (r->growths) archive_part(a, r->volume, r->growth_count * sizeof *r->volume);
-    for (size_t i = 0; i < 2 * r->probe_count; i++)
+    for (size_t i = 0; i < 2 * probes; i++)
         archive_part(a, r->waveform + i * samples, r->sample_count * sizeof *r->waveform);
     // The numbers observed at every instant follow the waveform, to the end.
-    archive_part(a, r->low, record_block_observed(r->dimension, r->probe_count, r->contact_count) * sizeof *r->low);
+    archive_part(a, r->low, record_block_observed(r->dimension, probes, r->contact_count) * sizeof *r->low);
 }
 
 /// Repeats the last k of `count` rows of `width` numbers over all rows before them.
@@ -146,13 +149,13 @@ void record_begin_orbit(whirl_record *record, const whirl_record_options *option
 
 void record_repeat_orbit(whirl_record *record, const whirl_record_options *options) {
     const size_t k = (size_t)record->orbit.period, samples = record->samples_per_revolution;
+    const size_t probes = record->probe_count + record->axial_count;
     const double times = (double)record->record_count / (double)k;
     repeat_rows(record->section, record->section_count, record->dimension, k);
-    for (size_t i = 0; i < 2 * record->probe_count && options->waveform; i++)
+    for (size_t i = 0; i < 2 * probes && options->waveform; i++)
         repeat_rows(record->waveform + i * record->record_count * samples, record->record_count, samples, k);
 #define REPEAT(array, extent, columns, fold, ...)                                                                      \
-    for (size_t i = 0, all = WHIRL_WATCHED_SIZE(extent, columns, record->probe_count, record->contact_count); i < all; \
-         i++) {                                                                                                        \
+    for (size_t i = 0, all = WHIRL_WATCHED_SIZE(extent, columns, probes, record->contact_count); i < all; i++) {       \
         if ((fold) == WHIRL_MEAN) record->array[i] *= times;                                                           \
         if ((fold) == WHIRL_SUM) record->array[i] = round(record->array[i] * times);                                   \
     }

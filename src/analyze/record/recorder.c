@@ -694,7 +694,7 @@ static whirl_status recorder_start(whirl_recorder *r, const whirl_system *system
     if (r->max_count == 0) r->max_count = r->searches ? 2 * r->lane_count : r->lane_count; // some wait for their orbit
     r->motions = calloc(r->max_count, sizeof(motion *));
     r->probes = system->probes;
-    r->probe_count = system->probe_count;
+    r->probe_count = whirl_watched_probes(system);
     // Describe to the ensemble which instants are wanted.
     r->watch = (whirl_ensemble_observe){.sample = recorder_sample, .context = r, .lanes = r->recorded};
     if (r->options->waveform)

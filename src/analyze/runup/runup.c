@@ -134,7 +134,7 @@ static double runup_find_passage(runner *r, quantity *of, size_t which, double t
 
 /// Notes which coordinates the probes read, as whirl_probe_value does.
 static void runup_find_probes(runner *r, const whirl_system *system) {
-    for (size_t p = 0; p < r->probes; p++) {
+    for (size_t p = 0; p < r->watched; p++) {
         const whirl_probe *from = &system->probes[p];
         r->probe[p] = (runup_probe){.at = {from->x, from->y, from->vx, from->vy}};
         for (size_t nth = 0; nth < 4; nth++) {
@@ -166,6 +166,21 @@ static double runup_radial_slope(const runner *r, const double *x, size_t probe)
            runup_value(r, x, probe, 1) * runup_value(r, x, probe, 3);
 }
 
+/// Returns the size whose largest value is peak `which`: the radius of a station, or the displacement along or against
+/// the axis.
+static double runup_peak_size(const runner *r, const double *x, size_t which) {
+    if (which < r->probes) return runup_radius_of(r, x, which);
+    const double along = runup_value(r, x, r->probes + (which - r->probes) / 2, 0);
+    return (which - r->probes) % 2 == 0 ? -along : along;
+}
+
+/// Returns the slope of that size by time, or a multiple of it above 0.
+static double runup_peak_slope(const runner *r, const double *x, size_t which) {
+    if (which < r->probes) return runup_radial_slope(r, x, which);
+    const double along = runup_value(r, x, r->probes + (which - r->probes) / 2, 2);
+    return (which - r->probes) % 2 == 0 ? -along : along;
+}
+
 static double runup_switch_of(const runner *r, const double *x, size_t which) {
     double values[WHIRL_MAX_SWITCHES];
     r->system->switches(r->system->model, 0.0, x, values);
@@ -176,23 +191,44 @@ static const double *runup_sample(const runner *r, size_t k) {
     return r->samples + k * r->dimension;
 }
 
+/// Notes that sample k of a part has the largest size of a peak so far, with the samples around it.
+static void runup_note_peak(runner *r, size_t which, double size, size_t k, size_t count, double from, double step) {
+    const size_t before = k > 0 ? k - 1 : 0, after = k < count ? k + 1 : count;
+    r->run->peaks[which] =
+        (runup_peak){size, runup_time_of(r, runup_sample(r, k)), runup_speed_of(r, runup_sample(r, k))};
+    memcpy(r->peak_state + which * r->most, runup_sample(r, before), r->dimension * sizeof *r->x);
+    r->peak_where[which] = (runup_where){r->side, r->by_time, r->lost_count, r->how};
+    r->peak_from[which] = from + (double)before * step;
+    r->peak_length[which] = (double)(after - before) * step;
+}
+
+/// Notes the least and largest axial displacements in a part, and the states around those that are the least and
+/// largest so far.
+static void runup_see_axial(runner *r, double from, double step, size_t count) {
+    for (size_t which = r->probes; which < r->peaks; which++) {
+        runup_station *own = &r->stations[r->probes + (which - r->probes) / 2];
+        for (size_t k = 0; k <= count; k++) {
+            const double size = runup_peak_size(r, runup_sample(r, k), which);
+            if ((which - r->probes) % 2 == 0)
+                own->least = fmin(own->least, -size);
+            else
+                own->largest = fmax(own->largest, size);
+            if (size > r->run->peaks[which].radius) runup_note_peak(r, which, size, k, count, from, step);
+        }
+    }
+}
+
 /// Notes the largest radii in a part, and the states around the radii which are the largest so far.
 static void runup_see_radii(runner *r, double from, double step, size_t count) {
     for (size_t p = 0; p < r->probes; p++)
         for (size_t k = 1; k <= count; k++) {
-            runup_peak *peak = &r->run->peaks[p];
+            const runup_peak *peak = &r->run->peaks[p];
             // A radius that is certainly not the largest of the turn needs no square root.
             const double known = fmin(r->stations[p].radius, peak->radius);
             if (runup_radius_square(r, runup_sample(r, k), p) < (1.0 - 1e-12) * known * known) continue;
             const double radius = runup_radius_of(r, runup_sample(r, k), p);
             r->stations[p].radius = fmax(r->stations[p].radius, radius);
-            if (!(radius > peak->radius)) continue;
-            const size_t before = k - 1, span = k < count ? 2 : 1;
-            *peak = (runup_peak){radius, runup_time_of(r, runup_sample(r, k)), runup_speed_of(r, runup_sample(r, k))};
-            memcpy(r->peak_state + p * r->most, runup_sample(r, before), r->dimension * sizeof *r->x);
-            r->peak_where[p] = (runup_where){r->side, r->by_time, r->lost_count, r->how};
-            r->peak_from[p] = from + (double)before * step;
-            r->peak_length[p] = (double)span * step;
+            if (radius > peak->radius) runup_note_peak(r, p, radius, k, count, from, step);
         }
 }
 
@@ -252,11 +288,11 @@ static double runup_copy_distance(const runner *r) {
     return fmin(1e-3, 100.0 * r->plan->options->rtol) * fmax(r->size, 1e-6);
 }
 
-/// Measures the distance of the copy: places and velocities of all stations, and the speed.
+/// Measures the distance of the copy: places and velocities of all stations, with those along shafts, and the speed.
 static double runup_measure_copy(const runner *r) {
     const double speed = r->size * (r->copy[r->rotor] - r->x[r->rotor]);
     double sum = speed * speed;
-    for (size_t p = 0; p < r->probes; p++)
+    for (size_t p = 0; p < r->watched; p++)
         for (size_t nth = 0; nth < 4; nth++) {
             const double apart = runup_value(r, r->copy, p, nth) - runup_value(r, r->x, p, nth);
             sum += apart * apart;
@@ -347,7 +383,7 @@ static void runup_add_sample(const runner *r, size_t k, size_t p, const runup_we
 /// sample within the turn.
 static void runup_add_orders(runner *r, double passed, double step, size_t count) {
     runup_find_weights(r, passed, step, count);
-    for (size_t p = 0; p < r->probes; p++)
+    for (size_t p = 0; p < r->watched; p++)
         for (size_t k = 0; k <= count; k++) runup_add_sample(r, k, p, &r->weights[k], &r->stations[p]);
 }
 
@@ -431,7 +467,7 @@ static void runup_fill_instant(const runner *r, const double *sample, const doub
     const double faster = r->by_time ? 1.0 : sample[r->rotor];
     out->speed = runup_speed_of(r, sample);
     *numbers++ = runup_time_of(r, sample);
-    for (size_t p = 0; p < r->probes; p++)
+    for (size_t p = 0; p < r->watched; p++)
         for (size_t axis = 0; axis < 2; axis++) {
             *numbers++ = runup_value(r, sample, p, axis);
             *slopes++ = r->unit * faster * runup_value(r, sample, p, axis + 2);
@@ -527,6 +563,7 @@ static void runup_see_part(runner *r, double from, double passed, double length)
     const size_t count = (size_t)r->plan->options->samples;
     const double step = length / (double)count;
     runup_see_radii(r, from, step, count);
+    runup_see_axial(r, from, step, count);
     runup_see_contacts(r, from, step, count);
     runup_see_torques(r, step, count);
     runup_add_orders(r, passed, step, count);
@@ -540,6 +577,8 @@ static void runup_see_part(runner *r, double from, double passed, double length)
 static void runup_begin_turn(runner *r) {
     r->parted = false;
     for (size_t p = 0; p < r->probes; p++) r->stations[p] = (runup_station){.radius = 0.0};
+    for (size_t p = r->probes; p < r->watched; p++)
+        r->stations[p] = (runup_station){.least = (double)INFINITY, .largest = -(double)INFINITY};
     for (size_t c = 0; c < r->contacts; c++) r->largest[c] = r->share[c] = 0.0;
 }
 
@@ -1234,7 +1273,7 @@ static void runup_archive_found(runup_run *run, const runner *r, archive *a) {
         archive_part(a, &run->events[k].time, sizeof run->events[k].time);
         archive_part(a, &run->events[k].at, sizeof run->events[k].at);
     }
-    archive_part(a, run->peaks, r->probes * sizeof *run->peaks);
+    archive_part(a, run->peaks, r->peaks * sizeof *run->peaks);
     archive_part(a, run->contacts, r->contacts * sizeof *run->contacts);
     archive_part(a, run->torques, r->torques * sizeof *run->torques);
 }
@@ -1262,12 +1301,12 @@ void runup_archive(runup_state *r, archive *a) {
     archive_part(a, r->spool_turns, r->spools * sizeof *r->spool_turns);
     archive_part(a, r->spool_before, r->spools * sizeof *r->spool_before);
     // Archive the samples around the largest values so far.
-    archive_part(a, r->peak_state, r->probes * r->most * sizeof *r->peak_state);
-    archive_part(a, r->peak_from, r->probes * sizeof *r->peak_from);
-    archive_part(a, r->peak_length, r->probes * sizeof *r->peak_length);
+    archive_part(a, r->peak_state, r->peaks * r->most * sizeof *r->peak_state);
+    archive_part(a, r->peak_from, r->peaks * sizeof *r->peak_from);
+    archive_part(a, r->peak_length, r->peaks * sizeof *r->peak_length);
     archive_part(a, r->torque_state, 2 * r->torques * r->most * sizeof *r->torque_state);
     archive_part(a, r->torque_length, 2 * r->torques * sizeof *r->torque_length);
-    for (size_t p = 0; p < r->probes; p++) runup_archive_where(r, &r->peak_where[p], a);
+    for (size_t p = 0; p < r->peaks; p++) runup_archive_where(r, &r->peak_where[p], a);
     for (size_t k = 0; k < 2 * r->torques; k++) runup_archive_where(r, &r->torque_where[k], a);
     runup_archive_found(r->run, r, a);
 }
@@ -1285,19 +1324,19 @@ static void runup_go_back(runner *r, const runup_where *to) {
     r->machine->turn(r->machine, &to->how);
 }
 
-/// Locates the peaks of radii between samples.
+/// Locates the peaks of radii and of axial displacements between samples.
 static void runup_locate_peaks(runner *r) {
-    for (size_t p = 0; p < r->probes; p++) {
+    for (size_t p = 0; p < r->peaks; p++) {
         const double *state = r->peak_state + p * r->most;
         double *there = r->scratch + r->most;
         if (!(r->peak_length[p] > 0.0)) continue;
         runup_go_back(r, &r->peak_where[p]);
         memcpy(there, state, r->dimension * sizeof *there);
         if (runup_carry_part(r, r->peak_from[p], r->peak_length[p], there) != WHIRL_BOUNDED) continue;
-        const double low = runup_radial_slope(r, state, p), high = runup_radial_slope(r, there, p);
+        const double low = runup_peak_slope(r, state, p), high = runup_peak_slope(r, there, p);
         if (!(low > 0.0 && high < 0.0)) continue;
-        runup_find_passage(r, runup_radial_slope, p, 0.0, state, r->peak_from[p], r->peak_length[p], low, high, there);
-        const double radius = runup_radius_of(r, there, p);
+        runup_find_passage(r, runup_peak_slope, p, 0.0, state, r->peak_from[p], r->peak_length[p], low, high, there);
+        const double radius = runup_peak_size(r, there, p);
         if (radius >= r->run->peaks[p].radius)
             r->run->peaks[p] = (runup_peak){radius, runup_time_of(r, there), runup_speed_of(r, there)};
     }
@@ -1344,16 +1383,16 @@ static whirl_status runup_make_room(runner *r) {
     // Make memory for all arrays at once.
     const size_t d = r->most, samples = (size_t)r->plan->options->samples;
     const size_t slopes = r->plan->motion ? samples + 1 : 0;
-    const size_t numbers = d * (2 + samples + 1 + slopes + 3 + 1 + 2 + 2 + r->probes + 2 * r->torques) +
-                           r->contacts * (samples + 3) + 3 * r->probes + 3 * r->torques;
+    const size_t numbers = d * (2 + samples + 1 + slopes + 3 + 1 + 2 + 2 + r->peaks + 2 * r->torques) +
+                           r->contacts * (samples + 3) + 2 * r->peaks + r->probes + 3 * r->torques;
     r->x = calloc(numbers + 1, sizeof *r->x);
-    r->stations = calloc(r->probes + 1, sizeof *r->stations);
+    r->stations = calloc(r->watched + 1, sizeof *r->stations);
     r->spool_stations = calloc(r->spools * r->probes + 1, sizeof *r->spool_stations);
-    r->peak_where = calloc(r->probes + 1, sizeof *r->peak_where);
+    r->peak_where = calloc(r->peaks + 1, sizeof *r->peak_where);
     r->torque_where = calloc(2 * r->torques + 1, sizeof *r->torque_where);
     r->weights = calloc(samples + 1, sizeof *r->weights);
     r->weights_passed = (double)NAN;
-    r->probe = calloc(r->probes + 1, sizeof *r->probe);
+    r->probe = calloc(r->watched + 1, sizeof *r->probe);
     if (!r->spool_stations || !r->probe || !r->weights || !r->x || !r->stations || !r->peak_where || !r->torque_where)
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for a run");
     runup_find_probes(r, r->sides[0].machine->by_angle);
@@ -1370,13 +1409,13 @@ static whirl_status runup_make_room(runner *r) {
     r->copy_end = next, next += d;
     if (runup_wants_copy(r->plan->options, r->contacts)) r->copy = next;
     next += d;
-    r->peak_state = next, next += r->probes * d;
+    r->peak_state = next, next += r->peaks * d;
     r->torque_state = next, next += 2 * r->torques * d;
     r->force = next, next += (samples + 1) * r->contacts;
     r->largest = next, next += r->contacts;
     r->share = next, next += r->contacts;
-    r->peak_from = next, next += r->probes;
-    r->peak_length = next, next += r->probes;
+    r->peak_from = next, next += r->peaks;
+    r->peak_length = next, next += r->peaks;
     r->speed = next, next += r->probes;
     r->torque = next, next += r->torques;
     r->torque_length = next;
@@ -1434,6 +1473,8 @@ void runup_open(runner *r, whirl_running *running, const runup_plan *plan, runup
                  .rotor = running->by_angle->dimension - 2,
                  .most = running->by_time->dimension,
                  .probes = running->by_angle->probe_count,
+                 .watched = whirl_watched_probes(running->by_angle),
+                 .peaks = running->by_angle->probe_count + 2 * running->by_angle->axial_count,
                  .contacts = running->contact_count,
                  .torques = running->in_time ? running->watched_count : 0,
                  .spools = running->spool_count,
@@ -1458,7 +1499,8 @@ void runup_open(runner *r, whirl_running *running, const runup_plan *plan, runup
     run->event_count = runup_events_of(o, running->by_angle, run->events);
     for (size_t i = 0; plan->course && i < plan->course->event_count; i++)
         run->events[run->event_count++] = (runup_happening){plan->course->events[i], NAN, NAN};
-    for (size_t p = 0; p < r->probes; p++) run->peaks[p] = (runup_peak){0.0, NAN, NAN};
+    for (size_t p = 0; p < r->peaks; p++)
+        run->peaks[p] = (runup_peak){p < r->probes ? 0.0 : -(double)INFINITY, NAN, NAN};
     for (size_t t = 0; t < r->torques; t++)
         run->torques[t] = (runup_torque){{-(double)INFINITY, NAN}, {(double)INFINITY, NAN}};
     for (size_t c = 0; c < r->contacts; c++) run->contacts[c] = (runup_contact){NAN, NAN, 0.0, 0.0};

@@ -57,6 +57,8 @@ typedef struct runup_state {
     size_t rotor;               ///< length of the state before speed and time (and, by time, the angle)
     size_t dimension, most;     ///< dimension of the state now, and with the time as variable
     size_t probes, contacts, torques;
+    size_t watched; ///< probes of stations and, behind them, of axial displacements
+    size_t peaks;   ///< located extremes: largest radii of stations; then least, largest axial displacements
     double unit;
     whirl_turning how;
     double leg;                           ///< length of the next part of a turn, in units of time, or rad
@@ -71,8 +73,8 @@ typedef struct runup_state {
     double *torque;                       ///< [torques] at an instant
     double *speed;                        ///< [probes] at an instant
     double *largest, *share;              ///< [contacts] of the turn
-    runup_station *stations;              ///< [probes] of the turn
-    runup_probe *probe;                   ///< [probes]
+    runup_station *stations;              ///< [watched] of the turn
+    runup_probe *probe;                   ///< [watched]
     runup_weights *weights;               ///< [samples + 1] of the samples of a part
     double weights_passed, weights_step;  ///< part whose weights these are: its angle within the turn (NaN: none), and
                                           ///< the distance of its samples
@@ -82,9 +84,9 @@ typedef struct runup_state {
     double spool_turns[WHIRL_MAX_SPOOLS]; ///< whole turns completed
     double spool_before[WHIRL_MAX_SPOOLS]; ///< turns before the time of the run began
     double turns, angle0;                  ///< turns completed, and the angle of the first state
-    double *peak_state;                    ///< [probes][most] the sample before the largest radius
-    double *peak_from, *peak_length;       ///< [probes] angle of this sample, and distance to the next sample
-    runup_where *peak_where;               ///< [probes] setting at this sample
+    double *peak_state;                    ///< [peaks][most] the sample before the extreme
+    double *peak_from, *peak_length;       ///< [peaks] angle of this sample, and distance to the next sample
+    runup_where *peak_where;               ///< [peaks] setting at this sample
     double *torque_state;                  ///< [torques][2][most] the samples before the largest and the least torque
     double *torque_length;                 ///< [torques][2] distances from these samples to the next ones
     runup_where *torque_where;             ///< [torques][2] settings at these samples

@@ -13,8 +13,8 @@ typedef struct turn_instant {
 } turn_instant;
 
 /// Instants of a turn at equal angles, the beginning of the turn first. An instant is one row of `numbers`: the time in
-/// s; x and y of every probe; normal force (N) and gap (below 0: pressed in) of every contact; torques, N m. Lengths
-/// are those of the machine.
+/// s; x and y of every probe, those of axial displacements last; normal force (N) and gap (below 0: pressed in) of
+/// every contact; torques, N m. Lengths are those of the machine.
 typedef struct turn_samples {
     size_t samples, probes, contacts;
     size_t torques;       ///< those on the shaft (RUNUP_SHAFT_TORQUES), then the watched ones; 0: none are wanted

@@ -25,6 +25,12 @@ enum { SHOWN_TURNS = 10 }; ///< revolutions of the waveform panel
 
 static const char dark[] = "#303030";
 
+/// Returns the rows of a field of axial displacements; none if the station does not move along its shaft.
+static numbers point_axial(const whirl_table *table, size_t point, const char *field, size_t station) {
+    const numbers own = point_numbers(table, point, field, station);
+    return own.at && isfinite(own.at[0]) ? own : (numbers){.at = NULL};
+}
+
 static subject subject_of(const drawing *to, const whirl_table *table, size_t point, size_t station) {
     // Note the point, and its units.
     const whirl_shown_units *units = to->units;
@@ -44,6 +50,9 @@ static subject subject_of(const drawing *to, const whirl_table *table, size_t po
     of.section = point_section(table, point, station);
     of.spectrum = point_spectrum(table, point, station);
     of.lines = point_lines(table, point, station);
+    of.axial = point_axial(table, point, WHIRL_FIELD_WAVEFORM_AXIAL, station);
+    of.axial_spectrum = point_axial(table, point, WHIRL_FIELD_SPECTRUM_AXIAL_AMPLITUDE, station);
+    of.axial_lines = point_axial(table, point, WHIRL_FIELD_SPECTRUM_AXIAL_LINES, station);
     of.turn = (size_t)whirl_record_samples(&table->record, table->integrate.steps_per_revolution);
     if (of.turn == 0) of.turn = 1;
     // Find the range of the motion.
@@ -259,9 +268,32 @@ static void add_section(whirl_figure *figure, whirl_panel *panel, const subject 
         series_add(figure, dots, of->length * of->section.at[4 * k], of->length * of->section.at[4 * k + 1]);
 }
 
+/// Draws the axial displacement over the last revolutions.
+static void add_axial(whirl_figure *figure, whirl_panel *panel, const subject *of) {
+    const double turns = (double)of->axial.rows / (double)of->turn, shown = fmin(turns, SHOWN_TURNS);
+    whirl_series *line = panel_series(figure, panel, WHIRL_LINE, line_colour(2), 0.53);
+    axis_show(&panel->x, (span){turns - shown, turns});
+    snprintf(panel->x.label, sizeof panel->x.label, "revolution");
+    symbol_length(of->units, WHIRL_FROM_CENTRE, "axial displacement", panel->y.label, sizeof panel->y.label);
+    for (size_t k = 0; k < of->axial.rows; k++) {
+        const double at = (double)(k + 1) / (double)of->turn;
+        if (at >= turns - shown - 1.0 / (double)of->turn) series_add(figure, line, at, of->length * of->axial.at[k]);
+    }
+}
+
 // ---------------------------------------------------------------- the figure
 
-enum { WAVEFORM_PANEL, ORBIT_PANEL, SPECTRUM_PANEL, SECTION_PANEL, FULL_PANEL, LINES_PANEL, PANEL_COUNT };
+enum {
+    WAVEFORM_PANEL,
+    ORBIT_PANEL,
+    SPECTRUM_PANEL,
+    SECTION_PANEL,
+    FULL_PANEL,
+    LINES_PANEL,
+    AXIAL_PANEL,
+    AXIAL_SPECTRUM_PANEL,
+    PANEL_COUNT
+};
 
 /// Finds which panels have data, in the order of their letters.
 static void panels_there(const subject *of, bool there[PANEL_COUNT]) {
@@ -269,10 +301,13 @@ static void panels_there(const subject *of, bool there[PANEL_COUNT]) {
     there[SPECTRUM_PANEL] = there[FULL_PANEL] = of->spectrum.at != NULL;
     there[LINES_PANEL] = of->spectrum.at == NULL && of->lines.at != NULL;
     there[SECTION_PANEL] = of->section.at != NULL;
+    there[AXIAL_PANEL] = of->axial.at != NULL;
+    there[AXIAL_SPECTRUM_PANEL] = of->axial_spectrum.at != NULL || of->axial_lines.at != NULL;
 }
 
-static void (*const adders[])(whirl_figure *, whirl_panel *, const subject *) = {
-    add_waveform, add_orbit, add_half_spectrum, add_section, add_full_spectrum, add_lines};
+static void (*const adders[])(whirl_figure *, whirl_panel *,
+                              const subject *) = {add_waveform,      add_orbit, add_half_spectrum, add_section,
+                                                  add_full_spectrum, add_lines, add_axial,         add_axial_spectrum};
 
 /// Writes the caption of the letters: " (a) Waveform, (b) orbit (grey: bearing), ...".
 static void name_panels(const subject *of, char *text, size_t size) {
@@ -287,7 +322,9 @@ static void name_panels(const subject *of, char *text, size_t size) {
                                  "spectrum",
                                  "Poincar\u00e9 map (once a revolution)",
                                  "full spectrum of x + iy",
-                                 "lines of the full spectrum"};
+                                 "lines of the full spectrum",
+                                 "axial displacement",
+                                 of->axial_spectrum.at ? "its spectrum" : "its lines"};
     // Join the names of the panels with data.
     bool there[PANEL_COUNT];
     size_t used = 0;
@@ -417,11 +454,11 @@ static whirl_status point_find(figure_list *to, const drawing *of, const char *n
 }
 
 static void point_describe(const drawing *to, const figure_place *place, whirl_figure *figure) {
-    static const char *const panel_names[] = {"waveform", "orbit",         "spectrum",
-                                              "section",  "full-spectrum", "full-spectrum"};
+    static const char *const panel_names[] = {"waveform",      "orbit",         "spectrum", "section",
+                                              "full-spectrum", "full-spectrum", "axial",    "axial-spectrum"};
     // Gather the data, and find the panels that they fill.
     const subject of = subject_of(to, place->table, (size_t)place->point, place->station);
-    char point[UNIT_LABEL_SIZE], verdict_text[LABEL_SIZE + 2], panels[280];
+    char point[UNIT_LABEL_SIZE], verdict_text[LABEL_SIZE + 2], panels[400];
     bool there[PANEL_COUNT];
     char letter = 'a';
     panels_there(&of, there);
@@ -430,8 +467,8 @@ static void point_describe(const drawing *to, const figure_place *place, whirl_f
     // Add the panels, with letters.
     for (int i = 0; i < PANEL_COUNT; i++) {
         if (!there[i]) continue;
-        const bool wide = i >= FULL_PANEL;
-        whirl_panel *panel = figure_panel(figure, panel_names[i], wide ? 1.0 : 0.5, wide ? 4.2 : 6.5);
+        const bool wide = i == FULL_PANEL || i == LINES_PANEL, low = i >= FULL_PANEL;
+        whirl_panel *panel = figure_panel(figure, panel_names[i], wide ? 1.0 : 0.5, low ? 4.2 : 6.5);
         if (!panel) return;
         panel->letter = letter++;
         adders[i](figure, panel, &of);

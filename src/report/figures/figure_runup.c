@@ -9,7 +9,7 @@
 #include "units.h"
 
 /// Figures of a run: values of figure_place.which.
-enum { OVER_SPEED, OVER_TIME, ORDERS, SHAFTS, SHAFT, CONTACTS, TORQUES };
+enum { OVER_SPEED, OVER_TIME, ORDERS, SHAFTS, SHAFT, AXIAL, CONTACTS, TORQUES };
 
 enum { MAX_ORDERS = 4, MAX_TORQUE_PANELS = 6 };
 
@@ -39,6 +39,14 @@ static void runup_list(figure_list *to, const drawing *of, const whirl_table *ta
             snprintf(name, sizeof name, "%s-%.63s", alike[i].name, of->result->stations[s].name);
             list_figure(to, &place, name, alike[i].title, of->result->stations[s].name);
         }
+    // List the figures of stations that move along their shafts.
+    place.which = AXIAL;
+    for (size_t s = 0; s < of->result->station_count && table_has(table, WHIRL_FIELD_RUNUP_AXIAL); s++) {
+        if (!isfinite(whirl_table_number(table, runs[0], WHIRL_FIELD_RUNUP_AXIAL_EXTREME, s))) continue;
+        place.station = s;
+        snprintf(name, sizeof name, "runup-axial-%.63s", of->result->stations[s].name);
+        list_figure(to, &place, name, "%.60s along the shaft over the speed", of->result->stations[s].name);
+    }
     // List the figures of contacts and torques.
     place.which = CONTACTS;
     if (of->result->contact_count > 0) list_figure(to, &place, "runup-contacts", "Contacts over the time");
@@ -63,7 +71,8 @@ static void runup_add_line(whirl_figure *figure, whirl_series *line, const cours
     const whirl_field *shape = whirl_layout_field(&c->table->layout, field);
     const double *values = whirl_table_field(c->table, c->point, field, which);
     const double *over = whirl_table_field(c->table, c->point, c->over, 0);
-    const bool wraps = strcmp(field, WHIRL_FIELD_RUNUP_LAG) == 0 || strcmp(field, WHIRL_FIELD_RUNUP_SHAFT_LAG) == 0;
+    const bool wraps = strcmp(field, WHIRL_FIELD_RUNUP_LAG) == 0 || strcmp(field, WHIRL_FIELD_RUNUP_SHAFT_LAG) == 0 ||
+                       strcmp(field, WHIRL_FIELD_RUNUP_AXIAL_LAG) == 0;
     const size_t rows = (size_t)c->table->record.runup.rows, first = c->shaft > 0 ? (c->shaft - 1) * rows : 0;
     double before = NAN;
     for (size_t row = first; shape && values && over && row < (c->shaft > 0 ? first + rows : shape->rows); row++) {
@@ -173,6 +182,51 @@ static void runup_describe_orders(const drawing *of, const figure_place *place, 
              "Circular parts of the motion of %.60s with and against the rotation, at 1 to 4 times the speed of the "
              "shaft: exact integrals over single turns.",
              of->result->stations[place->station].name);
+}
+
+/// Draws the axial displacement of a station: for one run its mean, least and largest values and its amplitudes at
+/// multiples of the speed, for several runs the least and largest values and the amplitude at 1X of each; and the lag
+/// at 1X.
+static void runup_describe_axial(const drawing *of, const figure_place *place, whirl_figure *figure) {
+    static const char *const names[] = {"mean", "least", "largest"};
+    size_t runs[MAX_RUNS];
+    const whirl_table *table = place->table;
+    const size_t count = runup_list_runs(table, runs), s = place->station;
+    whirl_panel *panel =
+        runup_length_panel(of, figure, "displacement", WHIRL_FROM_CENTRE, "axial displacement", true, 4.0);
+    whirl_panel *amplitude = runup_length_panel(of, figure, "amplitude", WHIRL_AMPLITUDE, "amplitude", true, 4.0);
+    whirl_panel *lag = figure_panel(figure, "lag", 1.0, 3.5);
+    if (!panel || !amplitude || !lag) return;
+    runup_label_over(of, &lag->x, true);
+    snprintf(lag->y.label, sizeof lag->y.label, "lag at 1X (\u00b0)");
+    for (size_t i = 0; i < count; i++) {
+        const course c = runup_course_of(of, table, runs[i], true);
+        const double length = units_length(of->units, table, runs[i], WHIRL_FROM_CENTRE);
+        const double size = units_length(of->units, table, runs[i], WHIRL_AMPLITUDE);
+        char label[UNIT_LABEL_SIZE] = "";
+        if (count > 1) units_point_label(of->units, table, runs[i], label, sizeof label);
+        for (size_t column = count > 1 ? 1 : 0; column < 3; column++) {
+            whirl_series *line = count > 1
+                                     ? panel_series(figure, panel, WHIRL_LINE, line_colour(i), 0.8)
+                                     : panel_named(figure, panel, WHIRL_LINE, names[column], line_colour(column), 0.8);
+            runup_add_line(figure, line, &c, WHIRL_FIELD_RUNUP_AXIAL, s, column, length);
+        }
+        for (size_t order = 0; order < (count > 1 ? 1u : (size_t)MAX_ORDERS); order++) {
+            if (count == 1) snprintf(label, sizeof label, "at %zuX", order + 1);
+            runup_add_line(figure,
+                           panel_named(figure, amplitude, WHIRL_LINE, label, line_colour(count > 1 ? i : order), 0.8),
+                           &c, WHIRL_FIELD_RUNUP_AXIAL_AMPLITUDE, s, order, size);
+        }
+        runup_add_line(figure, panel_series(figure, lag, WHIRL_LINE, line_colour(i), 0.8), &c,
+                       WHIRL_FIELD_RUNUP_AXIAL_LAG, s, 0, 1.0);
+    }
+    snprintf(
+        figure->caption, sizeof figure->caption,
+        "Axial displacement of %.60s while the speed changes, in the direction of growing positions: %sits least and "
+        "largest values since the row before, its amplitude%s over single turns, and the lag at 1X behind the mark "
+        "on the shaft.",
+        of->result->stations[s].name, count > 1 ? "" : "its mean over a turn, ",
+        count > 1 ? " at 1X" : "s at 1 to 4 times the speed");
 }
 
 /// Draws amplitude and lag of the first run at the speed of the rotor and of every shaft with a speed of its own, each
@@ -360,6 +414,9 @@ static void runup_describe(const drawing *of, const figure_place *place, whirl_f
         break;
     case SHAFT:
         runup_describe_shaft(of, place, figure);
+        break;
+    case AXIAL:
+        runup_describe_axial(of, place, figure);
         break;
     case TORQUES:
         runup_describe_torques(of, place, figure);

@@ -13,6 +13,9 @@
 /// Figures of spectra: values of figure_place.which.
 enum { WATERFALL, CASCADE, SPECTROGRAM, KINDS };
 
+/// Added to these for spectra of axial displacements.
+enum { OF_AXIAL = KINDS, ALL_KINDS = 2 * KINDS };
+
 /// Largest numbers of spectra that are drawn as lines (MAX_LINES) and as boxes (MAX_TIMES), and of boxes in a direction
 /// of whirl (MAX_BOXES). A box joins several spectra or bins, and has their largest amplitude.
 enum { MAX_LINES = 60, MAX_TIMES = 240, MAX_BOXES = 200 };
@@ -25,22 +28,26 @@ static const double TALL = 0.12, MIN_AMPLITUDE = 1e-3;
 typedef struct run_spectra {
     size_t count, bins;
     const double *times, *speeds, *orders; ///< [count], [count], [bins]
-    const double *amplitudes;              ///< [count][bins][2] forward, backward
-    double length, largest;                ///< factor to shown amplitudes; largest shown amplitude
+    const double *amplitudes;              ///< [count][bins][2] forward, backward; of axial displacements [count][bins]
+    bool axial;
+    double length, largest; ///< factor to shown amplitudes; largest shown amplitude
 } run_spectra;
 
-static bool spectra_of(const drawing *of, const whirl_table *table, size_t station, run_spectra *out) {
+static bool spectra_of(const drawing *of, const whirl_table *table, size_t station, bool axial, run_spectra *out) {
     size_t runs[MAX_RUNS];
     if (!table_has(table, WHIRL_FIELD_RUNUP_SPECTRUM) || runup_list_runs(table, runs) == 0) return false;
-    *out = (run_spectra){.count = whirl_layout_field(&table->layout, WHIRL_FIELD_RUNUP_SPECTRUM_TIME)->rows,
-                         .bins = whirl_layout_field(&table->layout, WHIRL_FIELD_RUNUP_SPECTRUM_ORDER)->rows,
-                         .times = whirl_table_field(table, runs[0], WHIRL_FIELD_RUNUP_SPECTRUM_TIME, 0),
-                         .speeds = whirl_table_field(table, runs[0], WHIRL_FIELD_RUNUP_SPECTRUM_SPEED, 0),
-                         .orders = whirl_table_field(table, runs[0], WHIRL_FIELD_RUNUP_SPECTRUM_ORDER, 0),
-                         .amplitudes = whirl_table_field(table, runs[0], WHIRL_FIELD_RUNUP_SPECTRUM, station),
-                         .length = units_length(of->units, table, runs[0], WHIRL_AMPLITUDE)};
+    *out = (run_spectra){
+        .count = whirl_layout_field(&table->layout, WHIRL_FIELD_RUNUP_SPECTRUM_TIME)->rows,
+        .bins = whirl_layout_field(&table->layout, WHIRL_FIELD_RUNUP_SPECTRUM_ORDER)->rows,
+        .times = whirl_table_field(table, runs[0], WHIRL_FIELD_RUNUP_SPECTRUM_TIME, 0),
+        .speeds = whirl_table_field(table, runs[0], WHIRL_FIELD_RUNUP_SPECTRUM_SPEED, 0),
+        .orders = whirl_table_field(table, runs[0], WHIRL_FIELD_RUNUP_SPECTRUM_ORDER, 0),
+        .amplitudes = whirl_table_field(table, runs[0],
+                                        axial ? WHIRL_FIELD_RUNUP_AXIAL_SPECTRUM : WHIRL_FIELD_RUNUP_SPECTRUM, station),
+        .axial = axial,
+        .length = units_length(of->units, table, runs[0], WHIRL_AMPLITUDE)};
     if (!out->times || !out->speeds || !out->orders || !out->amplitudes) return false;
-    for (size_t k = 0; k < 2 * out->count * out->bins; k++)
+    for (size_t k = 0; k < (axial ? 1 : 2) * out->count * out->bins; k++)
         if (out->length * out->amplitudes[k] > out->largest) out->largest = out->length * out->amplitudes[k];
     return out->largest > 0.0;
 }
@@ -48,7 +55,7 @@ static bool spectra_of(const drawing *of, const whirl_table *table, size_t stati
 /// Returns the shown amplitude of a bin; negative bins are backward.
 static double spectra_at(const run_spectra *of, size_t spectrum, long bin) {
     const size_t place = spectrum * of->bins + (size_t)labs(bin);
-    return of->length * of->amplitudes[2 * place + (bin < 0)];
+    return of->length * of->amplitudes[of->axial ? place : 2 * place + (bin < 0)];
 }
 
 /// Returns the shown frequency of an order at a speed; in Hz if the units show frequencies as orders.
@@ -56,9 +63,14 @@ static double spectra_frequency(const drawing *of, double order, double speed) {
     return order * speed / two_pi / (of->units->frequency > 0.0 ? of->units->frequency : 1.0);
 }
 
-static void spectra_label_frequency(const drawing *of, whirl_axis *axis) {
-    snprintf(axis->label, sizeof axis->label, "frequency (%s, negative: backward whirl)",
+static void spectra_label_frequency(const drawing *of, bool axial, whirl_axis *axis) {
+    snprintf(axis->label, sizeof axis->label, axial ? "frequency (%s)" : "frequency (%s, negative: backward whirl)",
              of->units->frequency > 0.0 ? of->units->frequency_name : "Hz");
+}
+
+/// Returns the first bin of spectra; negative bins are backward.
+static long spectra_first_bin(const run_spectra *of) {
+    return of->axial ? 0 : 1 - (long)of->bins;
 }
 
 /// Adds the spectra from `first` to `end` - 1 as lines, each raised to its time or speed.
@@ -80,18 +92,18 @@ static void spectra_add_lines(const drawing *of, const run_spectra *s, bool by_s
     }
     // Label and show the axes.
     if (by_speed)
-        spectra_label_frequency(of, &panel->x);
+        spectra_label_frequency(of, s->axial, &panel->x);
     else
-        units_order_label(of->units, true, true, panel->x.label, sizeof panel->x.label);
+        units_order_label(of->units, true, !s->axial, panel->x.label, sizeof panel->x.label);
     const double high = range.high > range.low ? range.high - range.low : fmax(fabs(range.high), 1.0);
-    axis_show(&panel->x, (span){-reach, reach});
+    axis_show(&panel->x, (span){s->axial ? 0.0 : -reach, reach});
     axis_show(&panel->y, (span){range.low - 0.02 * high, range.high + 1.1 * TALL * high});
     // Draw each spectrum from the highest backward order to the highest forward one.
     const long bins = (long)s->bins;
     for (size_t k = first; k < end; k += step) {
         if (!isfinite(over[k])) continue;
         whirl_series *line = panel_series(figure, panel, WHIRL_LINE, line_colour(0), 0.4);
-        for (long bin = 1 - bins; bin < bins; bin++) {
+        for (long bin = spectra_first_bin(s); bin < bins; bin++) {
             const double order = (bin < 0 ? -1.0 : 1.0) * s->orders[labs(bin)];
             series_add(figure, line, by_speed ? spectra_frequency(of, order, s->speeds[k]) : order,
                        over[k] / unit + TALL * high * spectra_at(s, k, bin) / s->largest);
@@ -120,7 +132,7 @@ static void spectra_add_boxes(const drawing *of, const run_spectra *s, whirl_fig
     const double half = s->bins > 1 ? 0.5 * (s->orders[1] - s->orders[0]) : 0.5;
     const size_t step = (s->count + MAX_TIMES - 1) / MAX_TIMES;
     const long bins = (long)s->bins, wide = (bins + MAX_BOXES - 1) / MAX_BOXES;
-    spectra_label_frequency(of, &panel->y);
+    spectra_label_frequency(of, s->axial, &panel->y);
     whirl_series *boxes = panel_series(figure, panel, WHIRL_BOXES, "#000000", 1.0);
     for (size_t k = 0; k < s->count; k += step) {
         const size_t next = k + step < s->count ? k + step : s->count;
@@ -129,7 +141,7 @@ static void spectra_add_boxes(const drawing *of, const run_spectra *s, whirl_fig
         const double after = next < s->count && isfinite(s->times[next]) ? s->times[next] : s->times[next - 1];
         const span x = {0.5 * (before + s->times[k]) / unit, 0.5 * (s->times[next - 1] + after) / unit};
         if (!isfinite(x.low) || !isfinite(x.high)) continue;
-        for (long bin = 1 - bins; bin < bins; bin += wide) {
+        for (long bin = spectra_first_bin(s); bin < bins; bin += wide) {
             const long end = bin + wide < bins ? bin + wide : bins;
             double most = 0.0;
             for (size_t i = k; i < next; i++)
@@ -154,16 +166,20 @@ static void spectra_add_boxes(const drawing *of, const run_spectra *s, whirl_fig
 
 static const struct {
     const char *name, *title;
-} alike[KINDS] = {{"runup-waterfall", "Spectra of %.60s over the time"},
-                  {"runup-cascade", "Spectra of %.60s over the speed"},
-                  {"runup-spectrogram", "Frequencies of %.60s over the time"}};
+} alike[ALL_KINDS] = {{"runup-waterfall", "Spectra of %.60s over the time"},
+                      {"runup-cascade", "Spectra of %.60s over the speed"},
+                      {"runup-spectrogram", "Frequencies of %.60s over the time"},
+                      {"runup-axial-waterfall", "Spectra of %.60s along the shaft over the time"},
+                      {"runup-axial-cascade", "Spectra of %.60s along the shaft over the speed"},
+                      {"runup-axial-spectrogram", "Frequencies of %.60s along the shaft over the time"}};
 
 static void spectra_list(figure_list *to, const drawing *of, const whirl_table *table) {
     run_spectra spectra;
     char name[2 * WHIRL_NAME_SIZE];
     for (size_t s = 0; s < of->result->station_count; s++)
-        for (size_t which = 0; which < KINDS && !of->result->stations[s].twists && spectra_of(of, table, s, &spectra);
-             which++) {
+        for (size_t which = 0; which < ALL_KINDS; which++) {
+            const bool axial = which >= OF_AXIAL;
+            if ((!axial && of->result->stations[s].twists) || !spectra_of(of, table, s, axial, &spectra)) continue;
             const figure_place place = {
                 .kind = &runup_spectra_figure, .table = table, .point = NO_POINT, .station = s, .which = which};
             snprintf(name, sizeof name, "%s-%.63s", alike[which].name, of->result->stations[s].name);
@@ -174,8 +190,10 @@ static void spectra_list(figure_list *to, const drawing *of, const whirl_table *
 static whirl_status spectra_find(figure_list *list, const drawing *of, const char *name) {
     whirl_status status = whirl_ok();
     (void)list;
-    for (size_t which = 0; which < KINDS && status.code == WHIRL_OK; which++)
-        status = runup_find(of, name, alike[which].name, WHIRL_FIELD_RUNUP_SPECTRUM, "spectra");
+    for (size_t which = 0; which < ALL_KINDS && status.code == WHIRL_OK; which++)
+        status =
+            runup_find(of, name, alike[which].name,
+                       which < OF_AXIAL ? WHIRL_FIELD_RUNUP_SPECTRUM : WHIRL_FIELD_RUNUP_AXIAL_SPECTRUM, "spectra");
     return status;
 }
 
@@ -183,12 +201,14 @@ static void spectra_describe(const drawing *of, const figure_place *place, whirl
     const whirl_table *table = place->table;
     run_spectra s;
     // Draw coloured boxes, or lines; a cascade of a run whose speed falls again has a panel for each direction.
-    if (!spectra_of(of, table, place->station, &s)) return;
-    const size_t turning = place->which == CASCADE ? spectra_turning(&s) : s.count;
-    if (place->which == SPECTROGRAM) {
+    const bool axial = place->which >= OF_AXIAL;
+    const size_t which = axial ? place->which - OF_AXIAL : place->which;
+    if (!spectra_of(of, table, place->station, axial, &s)) return;
+    const size_t turning = which == CASCADE ? spectra_turning(&s) : s.count;
+    if (which == SPECTROGRAM) {
         spectra_add_boxes(of, &s, figure);
     } else if (turning == s.count) {
-        spectra_add_lines(of, &s, place->which == CASCADE, 0, s.count, "spectra", 1.0, figure);
+        spectra_add_lines(of, &s, which == CASCADE, 0, s.count, "spectra", 1.0, figure);
     } else {
         figure->width = 17.5;
         spectra_add_lines(of, &s, true, 0, turning, "up", 0.5, figure);
@@ -200,11 +220,14 @@ static void spectra_describe(const drawing *of, const figure_place *place, whirl
     char largest[4 * WHIRL_NAME_SIZE];
     units_length_label(of->units, WHIRL_AMPLITUDE, "amplitude", largest, sizeof largest);
     snprintf(figure->caption, sizeof figure->caption,
-             "Spectra of x + iy of %.60s over the angle of the shaft, each over %d turns with a Hann window: forward "
-             "whirl on the positive side, backward whirl on the negative one. ",
+             axial
+                 ? "Spectra of the axial displacement of %.60s over the angle of the shaft, each over %d turns with a "
+                   "Hann window. "
+                 : "Spectra of x + iy of %.60s over the angle of the shaft, each over %d turns with a Hann window: "
+                   "forward whirl on the positive side, backward whirl on the negative one. ",
              of->result->stations[place->station].name, table->record.runup.spectrum_turns);
     const size_t used = strlen(figure->caption);
-    if (place->which == SPECTROGRAM)
+    if (which == SPECTROGRAM)
         snprintf(figure->caption + used, sizeof figure->caption - used,
                  "Amplitudes below a thousandth of the largest are left white.");
     else

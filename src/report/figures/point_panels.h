@@ -16,6 +16,9 @@ typedef struct subject {
     const whirl_table *table;
     size_t point, station;
     numbers waveform, section, spectrum, lines;
+    /// Of the axial displacement: samples [rows][1]; bins and lines [rows][2], order and amplitude; without any if the
+    /// station does not move along its shaft.
+    numbers axial, axial_spectrum, axial_lines;
     machine_walls walls; ///< around the station
     machine_wall wall;   ///< wall of its bearing
     size_t turn;         ///< samples of the waveform in a revolution
@@ -45,5 +48,8 @@ void stator_line(whirl_figure *figure, whirl_panel *panel, double radius);
 void add_half_spectrum(whirl_figure *figure, whirl_panel *panel, const subject *of);
 void add_full_spectrum(whirl_figure *figure, whirl_panel *panel, const subject *of);
 void add_lines(whirl_figure *figure, whirl_panel *panel, const subject *of);
+
+/// Draws the spectrum of the axial displacement, or its lines if the whole spectrum was not stored.
+void add_axial_spectrum(whirl_figure *figure, whirl_panel *panel, const subject *of);
 
 #endif

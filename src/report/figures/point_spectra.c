@@ -242,3 +242,23 @@ void add_lines(whirl_figure *figure, whirl_panel *panel, const subject *of) {
                           of->amplitude * of->lines.at[5 * k + (way ? 3 : 4)]);
     }
 }
+
+void add_axial_spectrum(whirl_figure *figure, whirl_panel *panel, const subject *of) {
+    const numbers *own = of->axial_spectrum.at ? &of->axial_spectrum : &of->axial_lines;
+    whirl_series *line =
+        panel_series(figure, panel, of->axial_spectrum.at ? WHIRL_LINE : WHIRL_BARS, line_colour(2), 0.53);
+    double highest = 0.0, tallest = 0.0;
+    symbol_length(of->units, WHIRL_AMPLITUDE, "amplitude", panel->y.label, sizeof panel->y.label);
+    units_order_label(of->units, isnan(of->order), 0, panel->x.label, sizeof panel->x.label);
+    for (size_t k = 0; k < own->rows && !isnan(own->at[2 * k]); k++) {
+        const double order = order_size(of) * own->at[2 * k], height = of->amplitude * own->at[2 * k + 1];
+        highest = fmax(highest, order);
+        tallest = fmax(tallest, height);
+        if (of->axial_spectrum.at)
+            series_add(figure, line, order, height);
+        else
+            series_add_to(figure, line, order, 0.0, height);
+    }
+    axis_show(&panel->x, (span){0.0, of->axial_spectrum.at ? highest : 1.08 * highest});
+    axis_show(&panel->y, (span){0.0, 1.2 * (tallest > 0.0 ? tallest : 1.0)});
+}

@@ -359,6 +359,11 @@ static void find_synchronous(const finder *of) {
         sheet_units(of, sheet, parts[i], parts[i], &amplitude, 4);
         sheet_column(of, sheet, lags[i], "lag", WHIRL_QUANTITY_DEGREES, 4);
     }
+    const bool axial = whirl_layout_field(&table->layout, WHIRL_FIELD_SPECTRUM_AXIAL_SYNCHRONOUS) != NULL;
+    if (axial) {
+        sheet_units(of, sheet, "axial", "axial", &amplitude, 4);
+        sheet_column(of, sheet, "axial_lag", "lag", WHIRL_QUANTITY_DEGREES, 4);
+    }
     // Add a row for each station of each motion.
     for (size_t point = 0; point < table->count; point++)
         for (size_t s = 0; s < of->result->station_count && whirl_table_done(table, point); s++) {
@@ -373,6 +378,10 @@ static void find_synchronous(const finder *of) {
                 cell_number(of, sheet, rounding ? 0.0 : factor * size[i]);
                 cell_number(of, sheet, rounding ? (double)NAN : lag[i]);
             }
+            if (!axial) continue;
+            cell_number(of, sheet,
+                        factor * whirl_table_number(table, point, WHIRL_FIELD_SPECTRUM_AXIAL_SYNCHRONOUS, s));
+            cell_number(of, sheet, whirl_table_number(table, point, WHIRL_FIELD_SPECTRUM_AXIAL_LAG, s));
         }
     find_sheet_end(of);
 }

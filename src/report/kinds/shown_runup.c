@@ -223,6 +223,40 @@ static void runup_find_peaks(const finder *of) {
     find_sheet_end(of);
 }
 
+/// Adds the sheet of the extremes of axial displacements.
+static void runup_find_axial(const finder *of) {
+    if (!whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_AXIAL_EXTREME)) return;
+    // Set up the columns.
+    whirl_sheet *sheet = find_sheet(of, "axial", "Axial displacements in a run");
+    sheet->about = "The least and the largest displacement of a station along its shaft, in the direction of growing "
+                   "positions, when, and at which speed of the shaft.";
+    sheet_values(of, sheet, "", 6);
+    sheet_texts(of, sheet, "station", "station");
+    sheet_column(of, sheet, "least", "least", WHIRL_QUANTITY_LENGTH, 5);
+    sheet_column(of, sheet, "least_time", "at", WHIRL_QUANTITY_TIME, 6);
+    sheet_column(of, sheet, "least_speed", "speed", WHIRL_QUANTITY_SPEED, 6);
+    sheet_column(of, sheet, "largest", "largest", WHIRL_QUANTITY_LENGTH, 5);
+    sheet_column(of, sheet, "largest_time", "at", WHIRL_QUANTITY_TIME, 6);
+    sheet_column(of, sheet, "largest_speed", "speed", WHIRL_QUANTITY_SPEED, 6);
+    // Add a row for each station of each run that moves along its shaft.
+    for (size_t point = 0; point < of->table->count; point++)
+        for (size_t station = 0; station < of->result->station_count; station++) {
+            const double *extreme = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_AXIAL_EXTREME, station);
+            const double *time = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_AXIAL_TIME, station);
+            const double *speed = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_AXIAL_SPEED, station);
+            if (!extreme || !time || !speed || isnan(extreme[0])) continue;
+            sheet_row(of, sheet);
+            cell_value(of, sheet, point);
+            cell_station(of, sheet, station);
+            for (size_t side = 0; side < 2; side++) {
+                cell_number(of, sheet, whirl_result_length_scale(of->result, of->table, point) * extreme[side]);
+                cell_number(of, sheet, time[side]);
+                cell_number(of, sheet, speed[side]);
+            }
+        }
+    find_sheet_end(of);
+}
+
 /// States the largest motion of all stations and runs.
 static void runup_find_largest_motion(const finder *of) {
     double largest = -1.0;
@@ -573,6 +607,7 @@ static void runup_find(const finder *of) {
     runup_find_shafts(of);
     runup_find_events(of);
     runup_find_peaks(of);
+    runup_find_axial(of);
     runup_find_contacts(of);
     runup_find_torques(of);
     runup_find_cycles(of);

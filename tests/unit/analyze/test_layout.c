@@ -47,8 +47,14 @@ static bool has_one_of(const char *text, const char *const *words) {
 /// the convention that a reader may change (p-p, rms).
 static void meanings_name_the_convention_of_lengths(void **state) {
     (void)state;
-    static const char *const lengths[] = {
-        "0-p", "from the centre", "radial", "upwards", "bearings here", "from the equilibrium to another one", NULL};
+    static const char *const lengths[] = {"0-p",
+                                          "from the centre",
+                                          "radial",
+                                          "upwards",
+                                          "bearings here",
+                                          "from the equilibrium to another one",
+                                          "axial displacement",
+                                          NULL};
     static const char *const forces[] = {"at any instant", "at rest", NULL}, *const relative[] = {"relative", NULL};
     static const char *const sinusoids[] = {"amplitude", "spectrum", "synchronous", "/axes", "/probe", "/seen", NULL};
     whirl_layout layout;

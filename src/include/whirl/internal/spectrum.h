@@ -43,8 +43,9 @@ typedef struct whirl_spectrum {
     whirl_synchronous synchronous;      ///< NaN for fewer than 3 samples per revolution
 } whirl_spectrum;
 
-/// Computes the spectrum of probe `probe` up to `highest_order`. Searches lines above that order, too, if the spectrum
-/// up to it holds less than 99 % of the motion's mean square. WHIRL_BAD_INPUT if the record has no waveform.
+/// Computes the spectrum of probe `probe` up to `highest_order`; from probe_count on: of axial displacements, as x.
+/// Searches lines above that order, too, if the spectrum up to it holds less than 99 % of the motion's mean square.
+/// WHIRL_BAD_INPUT if the record has no waveform.
 whirl_status whirl_spectrum_new(const whirl_record *record, size_t probe, double highest_order,
                                 whirl_spectrum **spectrum);
 
