@@ -17,6 +17,10 @@ static whirl_status walk(void *context, const char *name, const arrays_item *ite
     enum { MOST = 4096, EACH = 20 };
     static double numbers[MOST];
     size_t first[ARRAYS_MAX_RANK] = {0}, count[ARRAYS_MAX_RANK] = {0}, all = 1;
+    arrays_item found;
+    const whirl_status there = arrays_find(context, name, &found);
+    require(there.code == WHIRL_OK || *there.message);
+    require(strlen(found.unit) < ARRAYS_TEXT);
     require(item->rank >= 0 && item->rank <= ARRAYS_MAX_RANK && strlen(item->unit) < ARRAYS_TEXT);
     for (int i = 0; i < item->rank; i++) {
         count[i] = item->sizes[i] < EACH ? item->sizes[i] : EACH;

@@ -290,6 +290,9 @@ static whirl_status read_some(void *context, const char *name, const arrays_item
         count[i] = item->sizes[i] < 20 ? item->sizes[i] : 20;
         all *= count[i];
     }
+    arrays_item found;
+    const whirl_status there = arrays_find(context, name, &found);
+    assert_true((there.code == WHIRL_OK || *there.message) && strlen(found.unit) < ARRAYS_TEXT);
     if (all <= MOST && strlen(item->unit) < ARRAYS_TEXT) arrays_read(context, name, first, count, numbers);
     return whirl_ok();
 }
