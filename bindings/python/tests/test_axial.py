@@ -351,6 +351,13 @@ def test_documents(tmp_path):
     names = [line.split()[0] for line in listed.splitlines()]
     for name in ("axial", "axial-waterfall", "axial-cascade", "axial-spectrogram"):
         assert f"runup-{name}-a" in names and f"runup-{name}-b" not in names
+    for name in ("turn", "waveform"):
+        made = tmp_path / f"{name}.json"
+        subprocess.run([COMMAND, "figure", runs, f"runup-{name}-a", "-o", made], check=True, capture_output=True)
+        assert "axial" in [panel["name"] for panel in json.loads(made.read_text())["panels"]]
+    subprocess.run([COMMAND, "export", sweep, "--csv", tmp_path / "csv"], check=True, capture_output=True)
+    headings = (tmp_path / "csv/sweep.csv").read_text()
+    assert "orbit/axial a mean [mm]" in headings and "spectrum/axial_lag a [deg]" in headings
     subprocess.run([COMMAND, "figure", runs, "runup-axial-a", "-o", tmp_path / "run.json"], check=True)
     panels = {panel["name"]: panel for panel in json.loads((tmp_path / "run.json").read_text())["panels"]}
     assert list(panels) == ["displacement", "amplitude", "lag"]
