@@ -413,9 +413,10 @@ static void map_list(figure_list *to, const drawing *of, const whirl_table *tabl
 void map_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
     // Choose the quantity, and make memory for its values.
     const whirl_table *table = place->table;
-    const map_quantity *what = place->field                         ? &of_field
-                               : place->kind == &sensitivity_figure ? &of_change
-                                                                    : &quantities[place->which];
+    // A figure of another kind shows a field or a sensitivity.
+    const map_quantity *what = place->kind == &map_figure ? &quantities[place->which]
+                               : place->field             ? &of_field
+                                                          : &of_change;
     const size_t planes = plane_count(table);
     map_drawing map = {.of = of, .place = place, .table = table, .figure = figure};
     double *of_points = malloc((table->count + 1) * sizeof *of_points);
