@@ -144,7 +144,8 @@ static const field_plan fields[FIELD_COUNT] = {
     [HAPPENED] =
         {WHIRL_FIELD_RUNUP_HAPPENED, "1",
          "time, speed, trip, loss, moment, angle, changes, end (of each event: s and rad/s when it happened, missing: "
-         "never; 1 if the motor trips; index of the station where an unbalance appears, -1: none, kg m and rad; 1 if "
+         "never; 1 if the motor trips, 1 + k if that of shaft k with a speed of its own does; index of the station "
+         "where an unbalance appears, -1: none, kg m and rad; 1 if "
          "parameters change; 1 if the run ends)",
          WHIRL_PER_POINT, EVENT_COLUMNS, runup_every_event},
     [NUMBERS_ERROR] =
@@ -636,7 +637,7 @@ static void runup_fill_events(const block_view *view, const runup_run *run) {
         const bool lost = own->is.lost.moment > 0.0, is[] = {own->is.trip, lost, own->is.changes};
         const double row[EVENT_COLUMNS] = {own->time,
                                            own->at,
-                                           own->is.trip,
+                                           own->is.trip ? 1.0 + (double)own->is.spool : 0.0,
                                            lost ? (double)own->is.lost.station : -1.0,
                                            lost ? own->is.lost.moment : (double)NAN,
                                            lost ? own->is.lost.angle : (double)NAN,

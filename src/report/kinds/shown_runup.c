@@ -156,10 +156,16 @@ static void runup_find_shafts(const finder *of) {
     find_sheet_end(of);
 }
 
-/// Writes the effects of an event: "motor lost, blade lost at fan".
+/// Writes the effects of an event: "motor lost, blade lost at fan", "motor of core lost".
 static void runup_say_event(const finder *of, const double *event, char *text, size_t size) {
     const bool named = event[3] >= 0.0 && event[3] < (double)of->result->station_count;
-    const char *const parts[] = {event[2] > 0.0 ? "motor lost" : "", named ? "blade lost at " : "",
+    const whirl_runup_options *options = &of->table->record.runup;
+    char shaft[WHIRL_NAME_SIZE], motor[WHIRL_NAME_SIZE + 16] = "motor lost";
+    if (event[2] > 1.0 && event[2] <= 1.0 + (double)options->shaft_count) {
+        whirl_runup_shaft_name(options, (size_t)event[2] - 2, shaft);
+        snprintf(motor, sizeof motor, "motor of %s lost", shaft);
+    }
+    const char *const parts[] = {event[2] > 0.0 ? motor : "", named ? "blade lost at " : "",
                                  event[6] > 0.0 ? "parameters change" : "", event[7] > 0.0 ? "run ends" : ""};
     size_t used = 0;
     text[0] = '\0';
