@@ -19,6 +19,9 @@ static const struct {
     {WHIRL_FIELD_SPECTRUM_SYNCHRONOUS, "backward", "backward 1X"},
     {WHIRL_FIELD_FLOQUET_MODULUS, "", "largest multiplier"},
     {WHIRL_FIELD_TRACE_SPECIAL, "", "value of the special point"},
+    {WHIRL_FIELD_RUNUP_PEAK, "", "largest motion of the run"},
+    {WHIRL_FIELD_RUNUP_PEAK_TIME, "", "time of the largest motion"},
+    {WHIRL_FIELD_RUNUP_PEAK_SPEED, "", "speed of the largest motion"},
 };
 
 void number_name(const whirl_table *table, const whirl_spread_of *of, char text[NUMBER_NAME_SIZE]) {
