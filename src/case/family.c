@@ -8,6 +8,7 @@
 #include "mapped.h"
 #include "plan.h"
 #include "plan_dataset.h"
+#include "plan_fit.h"
 #include "whirl/engine/running.h"
 
 typedef struct member {
@@ -88,10 +89,22 @@ static const plan_origin *family_origin(const case_content *content, const whirl
     return index < content->plan.batch_count ? &content->plan.origins[index] : NULL;
 }
 
+/// Returns the part of a fit's data whose run a batch requests, or NULL.
+static const fit_set *family_fit_set(const plan_origin *origin, const whirl_batch *batch) {
+    return origin && origin->fit && batch->fit_run > 0 ? &origin->fit->sets[batch->fit_run - 1] : NULL;
+}
+
 /// Returns the events and laws of a batch's runs, or NULL.
 static const course_parts *family_course(const case_content *content, const whirl_batch *batch) {
     const plan_origin *origin = family_origin(content, batch);
-    return origin ? origin->course : NULL;
+    const fit_set *set = family_fit_set(origin, batch);
+    return set ? set->course : origin ? origin->course : NULL;
+}
+
+/// Returns the keys of a batch's runs, or NULL.
+static const setting_list *family_run_keys(const plan_origin *origin, const whirl_batch *batch) {
+    const fit_set *set = family_fit_set(origin, batch);
+    return set ? set->runup : origin ? origin->runup : NULL;
 }
 
 /// Evaluates the parameters of a requested machine, as changed by the events of its run that have happened.
@@ -165,10 +178,11 @@ static whirl_status make_run(const case_content *content, const whirl_batch *bat
     // Check the options against the drive.
     const course_parts *parts = family_course(content, batch);
     const plan_origin *origin = family_origin(content, batch);
+    const setting_list *keys = family_run_keys(origin, batch);
     const whirl_runup_options *options = &batch->record.runup;
     whirl_status status = whirl_ok();
-    if (!batch->dataset && origin && origin->runup) {
-        status = run_numbers(origin->runup, options, v, &m->run);
+    if (!batch->dataset && keys) {
+        status = run_numbers(keys, options, v, &m->run);
         options = &m->run;
         m->recorded = true;
     }
@@ -184,7 +198,7 @@ static whirl_status make_run(const case_content *content, const whirl_batch *bat
         status = course_make_shafts(parts, v, whirl_rotor_system(m->rotor), run_length(options), m->course);
     if (status.code == WHIRL_OK && batch->dataset) {
         m->recorded = true;
-        status = dataset_run(origin->runup, batch, v, m->course, &m->run);
+        status = dataset_run(keys, batch, v, m->course, &m->run);
     } else if (status.code == WHIRL_OK)
         status = course_covers(m->course, options->from, whirl_runup_duration(options));
     // Check each event; the machine may change with it.

@@ -9,6 +9,7 @@
 
 #include "fit_list.h"
 #include "fit_record.h"
+#include "fit_run.h"
 #include "fit_speed.h"
 #include "input.h"
 #include "problem.h"
@@ -44,7 +45,10 @@ static whirl_status fit_read_order(fit_maker *m, size_t column, char *text, char
     own->order = strtod(*word, &end);
     if (end == *word || strcmp(end, "X") != 0 || !(own->order > 0.0 && own->order <= FIT_MAX_ORDER))
         return FIT_FAIL(m, column, "'%.20s' is no order, expected 1X, 2X, 0.5X", *word);
-    if (!m->statistics && m->revolutions > 0 &&
+    if (m->run && (own->order != round(own->order) || own->order > WHIRL_MAX_FIT_RUN_ORDER))
+        return FIT_FAIL(m, column, "order %.20s is not among those of a run, expected 1X to %dX", *word,
+                        WHIRL_MAX_FIT_RUN_ORDER);
+    if (!m->statistics && !m->run && m->revolutions > 0 &&
         fabs(own->order * m->revolutions - round(own->order * m->revolutions)) > 1e-9)
         return FIT_FAIL(m, column, "order %.20s does not occur in a motion of %d revolution%s", *word, m->revolutions,
                         m->revolutions == 1 ? "" : "s");
@@ -192,7 +196,8 @@ static double fit_cell(const fit_maker *m, size_t column, size_t row) {
 
 static whirl_status fit_add_motion(fit_maker *m, size_t given_count, const whirl_given *given, double speed,
                                    size_t instants) {
-    const whirl_fit_motion motion = {.given_count = given_count, .given = given, .speed = speed, .instants = instants};
+    const whirl_fit_motion motion = {
+        .given_count = given_count, .given = given, .speed = speed, .run = m->run, .instants = instants};
     const whirl_status status = fit_list_motion(m, &motion);
     return status.code == WHIRL_BAD_INPUT ? whirl_fail(status.code, "%.150s: %.100s", m->table.path, status.message)
                                           : status;
@@ -273,6 +278,20 @@ static whirl_status fit_take_row(fit_maker *m, size_t row) {
     return status;
 }
 
+/// Fails for a row of a run that its speed, rad/s, or its time, s, does not allow.
+static whirl_status fit_check_row(const fit_maker *m, size_t along, size_t row, double value) {
+    const csv_table *table = &m->table;
+    const int line = table->lines[row], place = table->columns[along].place;
+    double ends[2];
+    if (m->run->by_time && !(value >= 0.0))
+        return csv_fail(table, line, place, "the time is %g, expected 0 or more, from the beginning of the run",
+                        csv_numbers(table, along)[row]);
+    if (!m->run->by_time && !fit_run_reaches(m->run, value, ends))
+        return csv_fail(table, line, place, "the speed is %g rad/s, expected one of the run, %g to %g rad/s", value,
+                        ends[0], ends[1]);
+    return whirl_ok();
+}
+
 /// Adds orders over the speed or a parameter: every row is one motion.
 static whirl_status fit_take_vectors(fit_maker *m, size_t along) {
     const fit_column *axis = &m->columns[along];
@@ -283,6 +302,8 @@ static whirl_status fit_take_vectors(fit_maker *m, size_t along) {
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < m->table.count && status.code == WHIRL_OK; i++) {
         const double value = fit_cell(m, along, i);
+        const whirl_status good = m->run ? fit_check_row(m, along, i, value) : whirl_ok();
+        if (good.code != WHIRL_OK) return good;
         if (axis->kind == FIT_SPEED && !(value > 0.0))
             return csv_fail(&m->table, m->table.lines[i], m->table.columns[along].place,
                             "the speed is %g, expected a number above 0", csv_numbers(&m->table, along)[i]);
@@ -291,8 +312,11 @@ static whirl_status fit_take_vectors(fit_maker *m, size_t along) {
         for (size_t k = 0; k < m->at_count; k++) given[k] = m->at[k];
         const bool varies = axis->parameter != NULL;
         if (varies) given[m->at_count] = (whirl_given){axis->parameter->name, value};
-        status = fit_add_motion(m, m->at_count + varies, given, varies ? 0.0 : value, instants);
+        const bool timed = axis->kind == FIT_TIME;
+        status = fit_add_motion(m, m->at_count + varies, given, varies || timed ? 0.0 : value, instants);
         if (status.code == WHIRL_OK) m->motions[m->fit.motion_count - 1].statistics = m->statistics;
+        if (status.code == WHIRL_OK && timed) m->motions[m->fit.motion_count - 1].time = value;
+        if (status.code == WHIRL_OK && m->run) m->run->count++;
         if (status.code == WHIRL_OK) status = fit_take_row(m, i);
     }
     return status;
@@ -356,9 +380,14 @@ static whirl_status fit_take_table(fit_maker *m, const fit_set *set) {
                         "there is no column 'angle [deg]', 'time [s]', 'speed [rpm]' or of a parameter");
     // Over angles or times there are samples, over speeds or parameters vectors.
     const char *axis = table->columns[along].name;
-    const bool waveform = strcmp(axis, "time") == 0;
+    const bool timed = strcmp(axis, "time") == 0, waveform = timed && !set->runup;
     const bool vectors = !waveform && strcmp(axis, "angle") != 0 && strcmp(axis, "turns") != 0;
     whirl_status status = whirl_ok();
+    m->run = NULL;
+    if (set->runup && !timed && strcmp(axis, "speed") != 0)
+        return FIT_FAIL(m, along, "is no column of a run, expected speed or time");
+    if (set->runup) status = fit_run_make(m, set, &m->run);
+    if (status.code == WHIRL_OK && m->run) m->run->by_time = timed;
     m->statistics = set->place && strcmp(settings_word(&set->keys, "compare"), "statistics") == 0;
     if (m->statistics && !vectors)
         return FIT_FAIL(m, along,
@@ -376,7 +405,7 @@ static whirl_status fit_take_table(fit_maker *m, const fit_set *set) {
     if (status.code != WHIRL_OK) return status;
     // Take the numbers.
     if (waveform) return fit_take_waveform(m, along);
-    if (m->columns[along].kind == FIT_SPEED && m->revolutions > 0)
+    if (m->columns[along].kind == FIT_SPEED && m->revolutions > 0 && !m->run)
         m->columns[along].parameter = fit_speed_parameter(m->reader, m->parts, set);
     return vectors ? fit_take_vectors(m, along) : fit_take_samples(m, along);
 }

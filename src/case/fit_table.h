@@ -30,6 +30,7 @@ typedef struct fit_maker {
     size_t motion_capacity, number_capacity;
     int revolutions; ///< revolutions of the fit's orbits; 0: there is no fit, samples and orders are those of the table
     bool statistics; ///< the present table is compared by statistics
+    whirl_fit_run *run; ///< the present table's run; NULL: motions at one speed
     double checksum;
     // The present table.
     size_t set;

@@ -104,6 +104,7 @@ void fit_value_check_keys(case_reader *reader, const fit_set *set) {
     fit_refuse_key(reader, set, "compare", kind == FIT_KINDS, "file");
     fit_refuse_key(reader, set, "columns", kind == FIT_KINDS, "file");
     fit_refuse_key(reader, set, "record", kind == FIT_KINDS, "file");
+    fit_refuse_key(reader, set, "runup", kind == FIT_KINDS, "file");
     const bool threshold = fit_is_threshold(kind), mode = kind < FIT_KINDS && !threshold;
     const bool onset = threshold && fit_kinds[kind].quantity == WHIRL_FIT_ONSET;
     fit_refuse_key(reader, set, "of", onset, "onset");

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "fit_run.h"
 #include "fit_speed.h"
 #include "fit_table.h"
 #include "fit_value.h"
@@ -100,7 +101,7 @@ static void fit_read_columns(case_reader *reader, fit_set *out) {
 }
 
 /// Reads a set of measured numbers: the name of a file, or a mapping with more.
-static void fit_read_set(case_reader *reader, const file_node *where, fit_set *out) {
+static void fit_read_set(case_reader *reader, const machine_parts *machine, const file_node *where, fit_set *out) {
     out->place = where;
     out->keys = (setting_list){.name = "data", .group = &schema_fit_data, .place = where};
     out->noise_key = (whirl_key){.name = "noise", .unit = "m", .range = WHIRL_POSITIVE};
@@ -114,6 +115,7 @@ static void fit_read_set(case_reader *reader, const file_node *where, fit_set *o
     if (file) out->file = file->place;
     fit_read_columns(reader, out);
     fit_value_read(reader, out);
+    fit_run_read(reader, machine, out);
     if (noise) fit_read_noise(reader, noise, out);
     fit_value_check_keys(reader, out);
     if (!at) return;
@@ -137,7 +139,7 @@ static void fit_read_sets(case_reader *reader, fit_parts *fit) {
     }
     const file_node *one = where->kind == NODE_LIST ? where->first : where;
     for (; one; one = where->kind == NODE_LIST ? one->next : NULL)
-        fit_read_set(reader, one, &fit->sets[fit->set_count++]);
+        fit_read_set(reader, fit->machine, one, &fit->sets[fit->set_count++]);
 }
 
 /// Reports a parameter along which a number is measured although it is given or an unknown.
@@ -266,6 +268,7 @@ void fit_make(case_reader *reader, valuation *v, const fit_parts *parts, whirl_b
     size_t noisy = 0;
     for (size_t s = 0; s < parts->set_count; s++) {
         good = settings_check(reader, v, &parts->sets[s].keys) && good;
+        good = fit_run_check(reader, v, &parts->sets[s]) && good;
         noisy += settings_find(&parts->sets[s].keys, "noise") != NULL;
     }
     fit_check(reader, parts, &m->fit, noisy);

@@ -3,6 +3,7 @@
 #define CASE_PLAN_FIT_H
 
 #include "machine.h"
+#include "plan_course.h"
 #include "plan_parts.h"
 #include "whirl/engine/study.h"
 
@@ -32,6 +33,8 @@ typedef struct fit_set {
     const file_node *place, *file; ///< place of the set in the case, and of a table's path; NULL after a problem
     const file_node *columns;      ///< headings with datasets of an HDF5 file; NULL: its vectors
     setting_list keys;
+    setting_list *runup;            ///< keys of the run in which it was measured; NULL: none
+    const course_parts *course;     ///< events and laws of that run, or NULL
     condition_parts at;             ///< parameters with their values in its motions
     whirl_key noise_key;            ///< unit and range of its noise
     number_formula noise;           ///< noise of all probes; unused if each channel has its own

@@ -297,6 +297,7 @@ static void make_one(case_reader *reader, valuation *v, const plan_parts *parts,
     // Finish it as a study of motions, or at rest.
     plan_origin *origin = &result->origins[result->batch_count - 1];
     origin->course = resting->course;
+    origin->fit = resting->fit;
     if (keys->group == &schema_at_rest[SCHEMA_AT_REST_runup])
         origin->runup = plan_keep_keys(reader, keys);
     else

@@ -178,6 +178,9 @@ static const whirl_key fit_data_keys[] = {
                "file: orbit: its motions are periodic; statistics: they may be of any kind, and columns over `speed` "
                "or a parameter are largest and smallest displacements (disc x max, disc x min), lines (disc x 0.4X), "
                "and the share of the time in contact"),
+    CHOICE_KEY("runup", OPTIONAL, "",
+               "file: its orders over `speed` or `time` were measured while the speed changed: {speed_from: ..., "
+               "speed_to: ..., rate: ...}, with further keys as in runup; the machine is run in the same way"),
     NUMBER_KEY("onset", "", "", OPTIONAL, WHIRL_ANY,
                "in place of file: speed at which the machine loses stability, or value of the parameter `along`"),
     NUMBER_KEY("critical", "", "", OPTIONAL, WHIRL_ANY,

@@ -54,6 +54,7 @@ enum { PLAN_OPTIONS = 4, PLAN_OWN_OPTIONS = PLAN_OPTIONS - 1 };
 /// Places of a batch in the case.
 typedef struct plan_origin {
     const struct course_parts *course; ///< events and laws of a run-up, or NULL
+    const struct fit_parts *fit;       ///< parts of a fit, whose runs have keys of their own, or NULL
     const setting_list *runup; ///< keys of a run-up, or of the run of a data set's records, whose numbers differ from
                                ///< point to point; or NULL
     const setting_list *options[PLAN_OPTIONS]; ///< keys that have one value for all points, or NULL

@@ -239,7 +239,8 @@ static void fit_write_file(FILE *stream, const stored_fit *fit, const double *nu
     fputs("]}}", stream);
 }
 
-/// Writes the files whose numbers lie over a motion: no statistics, and no onsets, critical speeds and modes.
+/// Writes the files whose numbers lie over a motion at one speed: no statistics, no run-ups, and no onsets, critical
+/// speeds and modes.
 static void fit_write_files(FILE *stream, const stored_fit *fit) {
     bool first = true;
     script_key(stream, ',', "measured");
@@ -249,7 +250,8 @@ static void fit_write_files(FILE *stream, const stored_fit *fit) {
         const whirl_fit_quantity what = (whirl_fit_quantity)numbers[FIT_QUANTITY];
         for (count = 1; i + count < fit->numbers && numbers[FIT_NUMBER_COLUMNS * count + FIT_SET] == numbers[FIT_SET];)
             count++;
-        if (whirl_fit_is_statistic(what) || !whirl_fit_is_motion(what)) continue;
+        const double *motion = fit->motion + FIT_MOTION_COLUMNS * (size_t)numbers[FIT_MOTION];
+        if (whirl_fit_is_statistic(what) || !whirl_fit_is_motion(what) || isfinite(motion[FIT_TIME])) continue;
         if (!first) fputc(',', stream);
         first = false;
         fit_write_file(stream, fit, numbers, count);

@@ -1,7 +1,8 @@
 /// Fits: values of parameters of a machine at which its motions are the measured ones (study `fit`).
 ///
 /// Each measured motion is a periodic orbit of the machine at parameters of its own. Its displacements, and the orders
-/// of them, are compared with the measured numbers. Further numbers are values at which the machine loses its
+/// of them, are compared with the measured numbers. Orders may also be those of the machine while its speed changes
+/// (whirl_fit_run). Further numbers are values at which the machine loses its
 /// stability, critical speeds, and frequencies and damping ratios of modes. Levenberg and Marquardt's method minimizes
 /// the sum of squares of the differences over their noise, with the exact derivatives of the orbits, and those of
 /// thresholds and modes (whirl/engine/sensitivity.h).
@@ -24,7 +25,8 @@ enum {
     WHIRL_MAX_UNKNOWNS = 8,        ///< unknown parameters
     WHIRL_MAX_FIT_SETS = 32,       ///< files of measured numbers
     WHIRL_MAX_FIT_MOTIONS = 1024,  ///< motions of a fit
-    WHIRL_MAX_FIT_NUMBERS = 100000 ///< measured numbers
+    WHIRL_MAX_FIT_NUMBERS = 100000, ///< measured numbers
+    WHIRL_MAX_FIT_RUN_ORDER = 4    ///< highest order of a run
 };
 
 /// Options of a fit.
@@ -92,12 +94,24 @@ typedef struct whirl_fit_number {
     double noise; ///< SI, standard deviation; 1 if it is not given
 } whirl_fit_number;
 
+/// A run of the machine at a changing speed, whose orders over a turn are measured at speeds or times. Each row of its
+/// table is a motion of the fit, and all of them are computed together.
+typedef struct whirl_fit_run {
+    size_t set;          ///< entry of the data, from 0
+    size_t first, count; ///< index of its first motion, and number of its motions
+    bool by_time;        ///< rows are at times (whirl_fit_motion.time), else at speeds
+    bool sized;          ///< the number of rows of the run is given, else every turn has a row
+    const struct whirl_runup_options *options; ///< at the parameters of the case; borrowed
+} whirl_fit_run;
+
 /// A computation whose results are compared with measured numbers: a motion, or for a single number an onset, a
 /// critical speed, or a mode.
 typedef struct whirl_fit_motion {
     size_t given_count;              ///< number of parameters with values of their own
     const struct whirl_given *given; ///< [given_count] parameters with values of their own; borrowed
     double speed;                    ///< rad/s; 0: the machine's own
+    const whirl_fit_run *run;        ///< run to which it belongs, or NULL; borrowed
+    double time;                     ///< s since the beginning of that run, if its rows are at times
     size_t instants;                 ///< instants of a revolution at which displacements are needed
     const char *along; ///< for onsets and critical speeds: parameter that varies; NULL: the speed; borrowed
     bool statistics;   ///< its numbers are statistics of a record in time, not of a periodic orbit
@@ -159,6 +173,7 @@ typedef struct whirl_fit_solution {
     double *model;                         ///< [number_count] SI, the numbers of the machine
     double *largest; ///< [motion_count] largest modulus of the orbit's multipliers: stable below 1; NaN for others
     double *speeds;  ///< [motion_count] rad/s
+    double *times; ///< [motion_count] s since the beginning of its run, 0 if that is not known; NaN for others
     double *scatter; ///< [motion_count] of statistics: largest scatter of a number over its noise; NaN for others
 } whirl_fit_solution;
 

@@ -89,6 +89,7 @@ typedef struct whirl_batch {
     whirl_tolerance_options tolerances;
     const whirl_tolerance *tolerated; ///< [tolerances.parameters] the parameters with tolerances; borrowed
     const whirl_dataset *dataset;     ///< data set, each of whose records is a point; borrowed; NULL: none
+    size_t fit_run;                   ///< requested machine: 1 + entry of the fit's data whose run it makes; 0: none
     /// Requested machine: 1 + index of the machine among those of samples, or of the record; 0: none.
     size_t sampled;
     bool outline;                          ///< requested machine: an outline (whirl_rotor_outline)

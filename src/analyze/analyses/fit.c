@@ -36,8 +36,9 @@ static const field_plan fields[FIELD_COUNT] = {
     [CORRELATION] = {WHIRL_FIELD_FIT_CORRELATION, "1", "coefficients of correlation of the unknowns' errors",
                      WHIRL_PER_POINT, WHIRL_MAX_UNKNOWNS, fit_unknowns},
     [MOTION] = {WHIRL_FIELD_FIT_MOTION, "1",
-                "speed, multiplier, scatter (rad/s; largest modulus of the orbit's multipliers: stable below 1; NaN "
-                "for what is no orbit; of statistics: the largest scatter over its noise)",
+                "speed, multiplier, scatter, time (rad/s; largest modulus of the orbit's multipliers: stable below 1; NaN "
+                "for what is no orbit; of statistics: the largest scatter over its noise; of a row of a run-up: s "
+                "since its beginning, else NaN)",
                 WHIRL_PER_POINT, FIT_MOTION_COLUMNS, fit_motions},
     [NUMBER] = {WHIRL_FIELD_FIT_NUMBER, "1",
                 "set, motion, station, angle, quantity, at, measured, model, noise (entry of the data and motion from "
@@ -94,6 +95,7 @@ static whirl_status fit_compute(const whirl_resting *point, const whirl_record_o
         out[FIT_SPEED] = s->speeds[i];
         out[FIT_MULTIPLIER] = s->largest[i];
         out[FIT_SCATTER] = s->scatter[i];
+        out[FIT_TIME] = s->times[i];
     }
     for (size_t i = 0; i < fit->number_count; i++) {
         const whirl_fit_number *own = &fit->numbers[i];

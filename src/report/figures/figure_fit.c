@@ -79,7 +79,7 @@ static double fit_along(const fit_panel *p, const double *row) {
     if (p->samples) return 360.0 * row[FIT_AT];
     if (p->waveform) return row[FIT_AT];
     const double *motions = whirl_table_field(p->table, p->point, WHIRL_FIELD_FIT_MOTION, 0);
-    return motions[3 * (size_t)row[FIT_MOTION]] / p->x_unit;
+    return motions[FIT_MOTION_COLUMNS * (size_t)row[FIT_MOTION]] / p->x_unit;
 }
 
 static void fit_draw(const fit_panel *p, int kind, double y_unit, whirl_figure *figure, whirl_panel *panel) {

@@ -84,11 +84,30 @@ static bool fit_is_statistic(const double *row) {
     return whirl_fit_is_statistic((whirl_fit_quantity)row[FIT_QUANTITY]);
 }
 
+/// Counts the motions of a fit that are rows of run-ups.
+static size_t fit_count_runs(const whirl_table *table, size_t point) {
+    const whirl_field *motions = whirl_layout_field(&table->layout, WHIRL_FIELD_FIT_MOTION);
+    const double *motion = whirl_table_field(table, point, WHIRL_FIELD_FIT_MOTION, 0);
+    size_t count = 0;
+    for (size_t i = 0; motions && i < motions->rows; i++)
+        count += isfinite(motion[FIT_MOTION_COLUMNS * i + FIT_TIME]);
+    return count;
+}
+
 /// States which motion or number was not found at the start.
 static void fit_phrase_lost(const finder *of, whirl_statement *own, size_t point, double lost) {
     const whirl_field *field = whirl_layout_field(&of->table->layout, WHIRL_FIELD_FIT_NUMBER);
     const double *rows = whirl_table_field(of->table, point, WHIRL_FIELD_FIT_NUMBER, 0);
+    const double *motion = whirl_table_field(of->table, point, WHIRL_FIELD_FIT_MOTION, 0);
     const int revolutions = of->table->record.fit.revolutions;
+    if (motion && lost >= 0.0 && isfinite(motion[FIT_MOTION_COLUMNS * (size_t)lost + FIT_TIME])) {
+        phrase_text(of, &own->found,
+                    "row %.0f of the measured ones is not in its run-up with the start values: the run does not last, "
+                    "does not reach the speed or time of this row, or passes its speed twice: other start values, a "
+                    "longer run, or a table over the time",
+                    lost + 1.0);
+        return;
+    }
     for (size_t i = 0; field && rows && i < field->rows; i++, rows += FIT_NUMBER_COLUMNS) {
         if (rows[FIT_MOTION] != lost || rows[FIT_QUANTITY] < WHIRL_FIT_ONSET) continue;
         if (fit_is_statistic(rows)) {
@@ -433,6 +452,17 @@ static void fit_find_statistics(const shown_fit_of *f) {
     if (largest > 1.0) phrase_text(of, &own->judged, ": a longer record is needed, or the noise is larger");
 }
 
+/// States which motions are compared with run-ups.
+static void fit_find_runs(const shown_fit_of *f) {
+    const whirl_field *motions = whirl_layout_field(&f->of->table->layout, WHIRL_FIELD_FIT_MOTION);
+    const size_t count = fit_count_runs(f->of->table, f->point);
+    if (count == 0) return;
+    phrase_text(f->of, &find_statement(f->of, "run-ups")->found,
+                "%zu of %zu rows of the measured tables are compared with the machine at a changing speed, by the orders "
+                "of single turns; their derivatives are differences of whole runs",
+                count, motions->rows);
+}
+
 /// States how many starts led to the same minimum.
 static void fit_find_starts(const shown_fit_of *f) {
     const finder *of = f->of;
@@ -466,6 +496,7 @@ static void fit_find(const finder *of) {
     fit_find_agreement(&f);
     fit_find_stability(&f);
     fit_find_statistics(&f);
+    fit_find_runs(&f);
     fit_find_starts(&f);
     fit_find_sheet(&f);
     fit_find_correlations(&f);

@@ -151,18 +151,20 @@ static whirl_status fit_solve(fit_work *w, size_t slot) {
 /// Hands the solution to the analysis, which fills the block.
 static whirl_status fit_write(const fit_work *w, double *block) {
     const whirl_fit *fit = w->motions.fit;
-    double *motions = calloc(3 * fit->motion_count + 1, sizeof *motions);
+    double *motions = calloc(4 * fit->motion_count + 1, sizeof *motions);
     if (!motions) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the motions of a fit");
     whirl_fit_solution solution = w->solution;
     solution.model = w->motions.model;
     solution.largest = motions;
     solution.speeds = motions + fit->motion_count;
     solution.scatter = motions + 2 * fit->motion_count;
+    solution.times = motions + 3 * fit->motion_count;
     for (size_t i = 0; i < fit->motion_count; i++) {
         const fit_orbit *orbit = &w->motions.kept[i];
         solution.largest[i] = orbit->node ? orbit->largest : NAN;
         solution.speeds[i] = orbit->node ? orbit->speed : NAN;
         solution.scatter[i] = orbit->node && fit->motions[i].statistics ? orbit->scatter : NAN;
+        solution.times[i] = fit->motions[i].run ? orbit->time : NAN;
     }
     const whirl_resting point = {.fit = fit, .solution = &solution};
     whirl_analysis_set own = 0;

@@ -1,6 +1,7 @@
 #include "fit_motions.h"
 #include "fit_place.h"
 #include "fit_rest.h"
+#include "fit_run.h"
 #include "fit_special.h"
 #include "fit_statistics.h"
 #include "two_pi.h"
@@ -232,14 +233,18 @@ static size_t place_first(const fit_motions *m, size_t index) {
     return i;
 }
 
-/// Computes one motion: its orbit, or its threshold or mode, and its part of the model and of the derivatives.
-static whirl_status place_compute(const fit_motions *m, size_t index, const double *values, double *slopes) {
+/// Computes one motion: its orbit, or its threshold or mode, and its part of the model and of the derivatives. The
+/// first motion of a run computes all of them. After a failure *lost is the index of the motion that is lost.
+static whirl_status place_compute(const fit_motions *m, size_t index, const double *values, double *slopes,
+                                  size_t *lost) {
     fit_place p;
     whirl_machine machine = {.system = NULL};
     whirl_orbit *orbit = NULL;
     whirl_orbit_sensitivity *derived = NULL;
     double lengths[1 + WHIRL_MAX_UNKNOWNS] = {1.0};
     fit_place_make(&p, m, index, values);
+    *lost = index;
+    if (p.motion->run) return index == p.motion->run->first ? fit_run(&p, m->tried, m->model, slopes, lost) : whirl_ok();
     // A threshold or a mode, in place of a motion, has a single number.
     const size_t first = place_first(m, index);
     const whirl_fit_number *number = &m->fit->numbers[first];
@@ -281,10 +286,11 @@ bool fit_motions_evaluate(void *motions, const double *values, double *residuals
     m->lost = fit->motion_count;
 #pragma omp parallel for num_threads(m->threads) schedule(dynamic)
     for (size_t i = 0; i < fit->motion_count; i++) {
-        const whirl_status status = place_compute(m, i, values, derivatives);
+        size_t lost;
+        const whirl_status status = place_compute(m, i, values, derivatives, &lost);
 #pragma omp critical(whirl_fit)
-        if (status.code != WHIRL_OK && i < m->lost) {
-            m->lost = i;
+        if (status.code != WHIRL_OK && lost < m->lost) {
+            m->lost = lost;
             m->status = status;
         }
     }

@@ -18,6 +18,7 @@ typedef struct fit_orbit {
     double by[WHIRL_MAX_UNKNOWNS]; ///< derivatives of `value` by the unknowns
     whirl_special special;         ///< kind of the point at the onset
     double scatter;                ///< largest scatter of a statistic, over its noise
+    double time;                   ///< of a row of a run: s since its beginning; 0: not known
 } fit_orbit;
 
 /// All motions of a fit. `tried` are the orbits of the last evaluation, `kept` those of the best values so far.

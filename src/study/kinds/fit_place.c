@@ -15,7 +15,7 @@ void fit_place_make(fit_place *p, const fit_motions *of, size_t index, const dou
         p->given[count++] = (whirl_given){of->fit->unknowns[i].name, values[i]};
     p->batch.given = p->given;
     p->batch.given_count = count;
-    p->batch.speed = p->motion->speed;
+    p->batch.speed = p->motion->run ? 0.0 : p->motion->speed;
     p->options = orbit_options_by(fit->method, fit->rtol);
 }
 

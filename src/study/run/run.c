@@ -7,6 +7,7 @@
 #include "batch_slots.h"
 #include "exhausted.h"
 #include "film_tables.h"
+#include "fit_run.h"
 #include "follow.h"
 #include "kinds.h"
 #include "mapped.h"
@@ -70,6 +71,8 @@ static whirl_status check_study(const whirl_study *study) {
             return whirl_fail(WHIRL_BAD_INPUT,
                               "batch '%s' has starts from neighbours, expected several points and starts", batch->name);
         if (batch->fit && batch->fit->trouble) return whirl_fail(WHIRL_BAD_INPUT, "%s", batch->fit->trouble);
+        const whirl_status runs = batch->fit ? fit_runs_check(study, batch) : whirl_ok();
+        if (runs.code != WHIRL_OK) return runs;
         const whirl_status refined = check_refined_map(batch);
         if (refined.code != WHIRL_OK) return refined;
     }

@@ -1,0 +1,362 @@
+#include "fit_run.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "kinds.h"
+#include "resting_point.h"
+#include "two_pi.h"
+#include "whirl/engine/fields.h"
+#include "whirl/engine/running.h"
+
+/// RUN_STENCIL: neighbouring values of an unknown for its derivative, in addition to the value itself. RUN_TOGETHER: runs
+/// that are carried together. RUN_NODES: turns between which orders are interpolated.
+enum { RUN_STENCIL = 4, RUN_TOGETHER = 8, RUN_NODES = 4 };
+
+/// Limits of the number of rows of a run, with a turn in each.
+enum { RUN_MIN_ROWS = 64, RUN_MAX_ROWS = 20000 };
+
+/// Distance of neighbouring values, as a part of the size of the unknown. With five values the error of a derivative is
+/// of the fourth order: below 1e-6 for resonances with a damping ratio of 0.005 or more.
+static const double run_difference = 2.5e-4;
+
+/// Derivatives from five values, by their places in units of the distance: around the value, or on one side of it where
+/// a bound is near.
+typedef struct run_stencil {
+    double at[RUN_STENCIL], weights[RUN_STENCIL], own; ///< own: weight of the value itself
+} run_stencil;
+
+static const run_stencil around = {
+    {-2.0, -1.0, 1.0, 2.0}, {1.0 / 12.0, -2.0 / 3.0, 2.0 / 3.0, -1.0 / 12.0}, 0.0};
+static const run_stencil above = {{1.0, 2.0, 3.0, 4.0}, {4.0, -3.0, 4.0 / 3.0, -0.25}, -25.0 / 12.0};
+static const run_stencil below = {{-1.0, -2.0, -3.0, -4.0}, {-4.0, 3.0, -4.0 / 3.0, 0.25}, 25.0 / 12.0};
+
+/// The runs of a place.
+typedef struct run_work {
+    const fit_place *place;
+    const whirl_fit_run *run;
+    size_t first, count;      ///< numbers of the run, one after the other
+    whirl_analysis_set runup; ///< the analysis
+    whirl_record_options record;
+    whirl_layout layout;
+    double *blocks[RUN_TOGETHER];
+} run_work;
+
+/// A run among others.
+typedef struct run_one {
+    double values[WHIRL_MAX_UNKNOWNS];
+    fit_place place;
+    whirl_machine machine;
+    resting_place at;
+} run_one;
+
+/// Makes a place request the machine of its run.
+static void run_request(fit_place *p, whirl_analysis_set runup, const whirl_record_options *record) {
+    p->batch.analyses = runup;
+    p->batch.record = *record;
+    p->batch.fit_run = 1 + p->motion->run->set;
+}
+
+// ---------------------------------------------------------------- rows of a run
+
+/// The turns of a run.
+typedef struct run_turns {
+    const double *block;
+    const whirl_field *time, *speed, *amplitude, *lag;
+    size_t count;
+    size_t *rows; ///< [count] rows of the turns
+    double length;
+} run_turns;
+
+/// Lists the whole turns of a run. `rows` has room for all rows.
+static void run_list_turns(const whirl_layout *layout, const double *block, double length, size_t *rows,
+                           run_turns *out) {
+    *out = (run_turns){.block = block,
+                       .time = whirl_layout_field(layout, WHIRL_FIELD_RUNUP_TIME),
+                       .speed = whirl_layout_field(layout, WHIRL_FIELD_RUNUP_SPEED),
+                       .amplitude = whirl_layout_field(layout, WHIRL_FIELD_RUNUP_AMPLITUDE),
+                       .lag = whirl_layout_field(layout, WHIRL_FIELD_RUNUP_LAG),
+                       .rows = rows,
+                       .length = length};
+    for (size_t row = 0; row < out->time->rows; row++)
+        if (isfinite(block[out->time->offset + row]) &&
+            isfinite(block[out->amplitude->offset + row * out->amplitude->columns]))
+            rows[out->count++] = row;
+}
+
+/// Returns the place of a turn along the axis of the table: its time or its speed.
+static double turn_along(const run_turns *t, bool by_time, size_t turn) {
+    return t->block[(by_time ? t->time : t->speed)->offset + t->rows[turn]];
+}
+
+/// Returns the part of an order over a turn, cosine or sine, of a probe's displacement along a direction, m.
+static double turn_part(const run_turns *t, const whirl_fit_number *number, bool sine, size_t turn) {
+    const size_t columns = t->amplitude->columns;
+    const size_t at = (number->station * t->amplitude->rows + t->rows[turn]) * columns + 2 * ((size_t)number->at - 1);
+    double parts[2];
+    for (size_t axis = 0; axis < 2; axis++) {
+        const double size = t->block[t->amplitude->offset + at + axis];
+        const double lag = t->block[t->lag->offset + at + axis] * two_pi / 360.0;
+        // A part that is too small has no lag.
+        parts[axis] = isfinite(lag) ? size * (sine ? sin(lag) : cos(lag)) : 0.0;
+    }
+    return t->length * (cos(number->angle) * parts[0] + sin(number->angle) * parts[1]);
+}
+
+/// Turns around a place, and the weights by which their numbers are interpolated there.
+typedef struct run_between {
+    size_t count, turns[RUN_NODES];
+    double weights[RUN_NODES];
+} run_between;
+
+/// Finds the turns around a place along the axis. Returns false if the run does not reach it, or reaches it more than
+/// once. A place may be up to a turn before the first or after the last one.
+static bool run_find(const run_turns *t, bool by_time, double value, run_between *out) {
+    size_t passes = 0, before = 0;
+    if (t->count < RUN_NODES) return false;
+    for (size_t i = 0; i + 1 < t->count; i++) {
+        double a = turn_along(t, by_time, i), b = turn_along(t, by_time, i + 1);
+        const double step = b - a;
+        if (i == 0) a -= step;
+        if (i + 2 == t->count) b += step;
+        const bool within = step > 0.0 ? value >= a && value < b : value <= a && value > b;
+        passes += within;
+        if (within) before = i;
+    }
+    if (passes != 1) return false;
+    // Interpolate by Lagrange's polynomial through the turns around it.
+    const size_t low = before > 0 ? before - 1 : 0;
+    const size_t first = low + RUN_NODES > t->count ? t->count - RUN_NODES : low;
+    out->count = RUN_NODES;
+    for (size_t k = 0; k < RUN_NODES; k++) {
+        out->turns[k] = first + k;
+        out->weights[k] = 1.0;
+        const double own = turn_along(t, by_time, first + k);
+        for (size_t j = 0; j < RUN_NODES; j++)
+            if (j != k)
+                out->weights[k] *=
+                    (value - turn_along(t, by_time, first + j)) / (own - turn_along(t, by_time, first + j));
+    }
+    return true;
+}
+
+static double run_part(const run_turns *t, const run_between *at, const whirl_fit_number *number, bool sine) {
+    double sum = 0.0;
+    for (size_t k = 0; k < at->count; k++) sum += at->weights[k] * turn_part(t, number, sine, at->turns[k]);
+    return sum;
+}
+
+/// Reads the numbers of a run from its turns. Unless NULL, speeds and times [motions of the run] get those of the rows.
+static whirl_status run_read(const run_work *w, const run_turns *t, double *numbers, double *speeds, double *times,
+                             size_t *lost) {
+    const whirl_fit *fit = w->place->of->fit;
+    size_t known = SIZE_MAX;
+    run_between at = {.count = 0};
+    for (size_t i = 0; i < w->count; i++) {
+        const whirl_fit_number *number = &fit->numbers[w->first + i];
+        const whirl_fit_motion *motion = &fit->motions[number->motion];
+        const size_t row = number->motion - w->run->first;
+        // Find the place of a new row.
+        if (number->motion != known) {
+            const double value = w->run->by_time ? motion->time : motion->speed;
+            known = number->motion;
+            *lost = known;
+            if (!run_find(t, w->run->by_time, value, &at))
+                return whirl_fail(WHIRL_BAD_INPUT, "its run does not reach a row of its table, or reaches it twice");
+            for (size_t k = 0; k < at.count && speeds; k++) {
+                speeds[row] += at.weights[k] * turn_along(t, false, at.turns[k]);
+                times[row] += at.weights[k] * turn_along(t, true, at.turns[k]);
+            }
+        }
+        const double cosine = run_part(t, &at, number, false), sine = run_part(t, &at, number, true);
+        numbers[i] = number->quantity == WHIRL_FIT_COS   ? cosine
+                     : number->quantity == WHIRL_FIT_SIN ? sine
+                                                         : hypot(cosine, sine);
+    }
+    return whirl_ok();
+}
+
+// ---------------------------------------------------------------- runs
+
+/// Returns the highest speed of a run, rad/s, as far as it is known before.
+static double run_highest(const whirl_machine *machine, const whirl_runup_options *options) {
+    double highest = fmax(options->from, options->to);
+    if (options->rate > 0.0) highest = fmax(highest, options->to > 0.0 ? 0.0 : options->from + options->rate * options->duration);
+    if (whirl_runup_driven(options)) highest = fmax(highest, machine->drive_speed);
+    for (size_t i = 0; machine->course && i < machine->course->speed_count; i++)
+        highest = fmax(highest, machine->course->speeds[i]);
+    return highest;
+}
+
+/// Returns the length of a run, s.
+static double run_length(const whirl_machine *machine, const whirl_runup_options *options) {
+    const size_t rows = machine->course ? machine->course->speed_count : 0;
+    if (options->duration > 0.0 || options->rate > 0.0) return whirl_runup_duration(options);
+    return rows > 0 ? machine->course->speed_times[rows - 1] : 0.0;
+}
+
+/// Chooses the number of rows so that each turn has one, and makes the layout of the results.
+static whirl_status run_make_layout(run_work *w) {
+    fit_place here = *w->place;
+    whirl_machine machine = {.system = NULL};
+    here.batch.given = here.given;
+    run_request(&here, w->runup, &w->record);
+    whirl_status status = fit_place_machine(&here, &machine);
+    if (status.code == WHIRL_OK && !w->run->sized) {
+        const whirl_runup_options *options = machine.run ? machine.run : &w->record.runup;
+        const double turns = 1.01 * run_length(&machine, options) * run_highest(&machine, options) / two_pi;
+        w->record.runup.rows = (int)fmin(fmax(ceil(turns), RUN_MIN_ROWS), RUN_MAX_ROWS);
+    }
+    if (status.code == WHIRL_OK)
+        status = whirl_layout_new(machine.system, &w->place->batch.integrate, &w->record, w->runup, &w->layout);
+    if (machine.release) machine.release(machine.owner);
+    for (size_t i = 0; i < RUN_TOGETHER && status.code == WHIRL_OK; i++) {
+        w->blocks[i] = calloc(w->layout.size + 1, sizeof *w->blocks[i]);
+        if (!w->blocks[i]) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the runs of a fit");
+    }
+    return status;
+}
+
+/// Carries out runs [count, at most RUN_TOGETHER] at their values, and reads their numbers [count][w->count]; speeds and
+/// times, unless NULL, are those of the rows of the first run.
+static whirl_status run_carry(const run_work *w, run_one *all, size_t count, double *numbers, double *speeds,
+                              double *times, size_t *lost) {
+    whirl_resting points[RUN_TOGETHER];
+    whirl_status statuses[RUN_TOGETHER], status = whirl_ok();
+    const fit_motions *of = w->place->of;
+    // Make the machines.
+    size_t made = 0;
+    for (; made < count && status.code == WHIRL_OK; made++) {
+        run_one *own = &all[made];
+        fit_place_make(&own->place, of, w->run->first, own->values);
+        run_request(&own->place, w->runup, &w->record);
+        own->machine = (whirl_machine){.system = NULL};
+        own->at = (resting_place){of->study, &own->place.batch, NAN};
+        status = statuses[made] = fit_place_machine(&own->place, &own->machine);
+        if (status.code == WHIRL_OK) points[made] = resting_point_of(&own->at, &own->machine);
+    }
+    // Carry out the runs, and read their rows.
+    if (status.code == WHIRL_OK)
+        status = whirl_analyze_resting_together(count, points, &w->record, w->runup, &w->layout, w->blocks, statuses);
+    const whirl_field *time = whirl_layout_field(&w->layout, WHIRL_FIELD_RUNUP_TIME);
+    size_t *rows = status.code == WHIRL_OK ? malloc((time->rows + 1) * sizeof *rows) : NULL;
+    if (status.code == WHIRL_OK && !rows) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the runs of a fit");
+    for (size_t i = 0; i < count && status.code == WHIRL_OK; i++) {
+        run_turns turns;
+        status = statuses[i];
+        if (status.code != WHIRL_OK) break;
+        run_list_turns(&w->layout, w->blocks[i], all[i].machine.length, rows, &turns);
+        status = run_read(w, &turns, numbers + i * w->count, i == 0 ? speeds : NULL, times, lost);
+    }
+    free(rows);
+    for (size_t i = 0; i < made; i++)
+        if (all[i].machine.release) all[i].machine.release(all[i].machine.owner);
+    return status;
+}
+
+/// Chooses the neighbouring values of an unknown. Returns their distance.
+static double run_choose(const whirl_fit_unknown *unknown, double value, const run_stencil **stencil) {
+    const double range = unknown->high - unknown->low;
+    double size = fabs(value);
+    if (isfinite(range)) size = fmax(size, 0.01 * range);
+    if (size == 0.0) size = 1.0;
+    const double h = run_difference * size, reach = 2.0 * h;
+    *stencil = value - reach < unknown->low ? &above : value + reach > unknown->high ? &below : &around;
+    return h;
+}
+
+/// Carries out all runs: the first at the values of the place, then those at neighbouring values. numbers [runs][count].
+static whirl_status run_all(const run_work *w, double *numbers, double *speeds, double *times, size_t *lost) {
+    const whirl_fit *fit = w->place->of->fit;
+    const size_t runs = 1 + RUN_STENCIL * fit->unknown_count;
+    run_one *all = calloc(RUN_TOGETHER, sizeof *all);
+    whirl_status status = all ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for the runs of a fit");
+    for (size_t from = 0; from < runs && status.code == WHIRL_OK; from += RUN_TOGETHER) {
+        const size_t count = runs - from < RUN_TOGETHER ? runs - from : RUN_TOGETHER;
+        for (size_t i = 0; i < count; i++) {
+            memcpy(all[i].values, w->place->values, fit->unknown_count * sizeof *all[i].values);
+            if (from + i == 0) continue;
+            const size_t unknown = (from + i - 1) / RUN_STENCIL, node = (from + i - 1) % RUN_STENCIL;
+            const run_stencil *stencil;
+            const double h = run_choose(&fit->unknowns[unknown], w->place->values[unknown], &stencil);
+            all[i].values[unknown] += h * stencil->at[node];
+        }
+        status = run_carry(w, all, count, numbers + from * w->count, from == 0 ? speeds : NULL, times, lost);
+    }
+    free(all);
+    return status;
+}
+
+/// Derives the numbers by all unknowns: slopes [count][unknowns].
+static void run_derive(const run_work *w, const double *numbers, double *slopes) {
+    const whirl_fit *fit = w->place->of->fit;
+    for (size_t u = 0; u < fit->unknown_count; u++) {
+        const run_stencil *stencil;
+        const double h = run_choose(&fit->unknowns[u], w->place->values[u], &stencil);
+        for (size_t i = 0; i < w->count; i++) {
+            double sum = stencil->own * numbers[i];
+            for (size_t k = 0; k < RUN_STENCIL; k++)
+                sum += stencil->weights[k] * numbers[(1 + RUN_STENCIL * u + k) * w->count + i];
+            slopes[i * fit->unknown_count + u] = sum / h;
+        }
+    }
+}
+
+/// Sets what is the same for all runs of a motion.
+static void run_begin(run_work *w, const fit_place *p) {
+    *w = (run_work){.place = p, .run = p->motion->run, .record = whirl_record_default()};
+    whirl_analysis_add(&w->runup, "runup");
+    w->record.runup = *w->run->options;
+}
+
+whirl_status fit_run(const fit_place *p, fit_orbit *tried, double *model, double *slopes, size_t *lost) {
+    // Find the numbers of the run.
+    const whirl_fit *fit = p->of->fit;
+    run_work w;
+    run_begin(&w, p);
+    const size_t rows = w.run->count, end = w.run->first + rows, runs = 1 + RUN_STENCIL * fit->unknown_count;
+    while (w.first < fit->number_count && fit->numbers[w.first].motion < w.run->first) w.first++;
+    while (w.first + w.count < fit->number_count && fit->numbers[w.first + w.count].motion < end) w.count++;
+    // Carry out the runs, and derive their numbers.
+    double *numbers = calloc(runs * w.count + 2 * rows + 1, sizeof *numbers);
+    double *speeds = numbers + runs * w.count, *times = speeds + rows;
+    whirl_status status = numbers ? run_make_layout(&w) : whirl_fail(WHIRL_NO_MEMORY, "no memory for the runs of a fit");
+    if (status.code == WHIRL_OK) status = run_all(&w, numbers, speeds, times, lost);
+    if (status.code == WHIRL_OK) {
+        memcpy(model + w.first, numbers, w.count * sizeof *model);
+        run_derive(&w, numbers, slopes + w.first * fit->unknown_count);
+    }
+    // Nothing is followed: the next run begins at its machine's start, too.
+    for (size_t i = 0; i < rows && status.code == WHIRL_OK; i++) {
+        status = fit_place_note(p, 0, NULL, NULL, &tried[w.run->first + i]);
+        if (status.code != WHIRL_OK) break;
+        tried[w.run->first + i].speed = speeds[i];
+        tried[w.run->first + i].time = times[i];
+    }
+    for (size_t i = 0; i < RUN_TOGETHER; i++) free(w.blocks[i]);
+    free(numbers);
+    return status;
+}
+
+whirl_status fit_runs_check(const whirl_study *study, const whirl_batch *batch) {
+    const fit_motions motions = {.study = study, .batch = batch, .fit = batch->fit};
+    const whirl_fit *fit = batch->fit;
+    double values[WHIRL_MAX_UNKNOWNS];
+    for (size_t u = 0; u < fit->unknown_count; u++) values[u] = fit->unknowns[u].start;
+    for (size_t i = 0; i < fit->motion_count; i++) {
+        if (!fit->motions[i].run || fit->motions[i].run->first != i) continue;
+        fit_place p;
+        run_work w;
+        whirl_machine machine = {.system = NULL};
+        fit_place_make(&p, &motions, i, values);
+        run_begin(&w, &p);
+        run_request(&p, w.runup, &w.record);
+        p.batch.outline = true;
+        const whirl_status status = fit_place_machine(&p, &machine);
+        if (machine.release) machine.release(machine.owner);
+        if (status.code != WHIRL_OK) return status;
+    }
+    return whirl_ok();
+}
