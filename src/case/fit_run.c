@@ -11,10 +11,9 @@
 
 /// Reports keys of a study `runup` that do not belong to the run of a fit: those of its axis and of its results.
 static void fit_run_check_keys(case_reader *reader, const setting_list *keys) {
-    static const char *const unused[] = {"name",  "parameter", "from",           "to",
-                                         "points", "step",     "scale",          "values",
-                                         "spectra", "spectrum_turns", "highest_order", "slow_roll",
-                                         "orbits", "waveform", "sensitivity",    "stationary"};
+    static const char *const unused[] = {
+        "name",    "parameter",      "from",          "to",        "points", "step",     "scale",       "values",
+        "spectra", "spectrum_turns", "highest_order", "slow_roll", "orbits", "waveform", "sensitivity", "stationary"};
     for (size_t i = 0; i < sizeof unused / sizeof *unused; i++) {
         const setting *given = settings_find(keys, unused[i]);
         if (given)
@@ -56,9 +55,9 @@ bool fit_run_check(case_reader *reader, valuation *v, const fit_set *set) {
 static void fit_run_sum(fit_maker *m, const whirl_runup_options *options) {
     for (const whirl_member *member = whirl_runup_members(); member->part; member++)
         if (member->type == WHIRL_MEMBER_NUMBER)
-            m->checksum = fmod(1.618033988749895 * m->checksum +
-                                   *(const double *)((const char *)options + member->offset) * 1e3,
-                               4096.0);
+            m->checksum =
+                fmod(1.618033988749895 * m->checksum + *(const double *)((const char *)options + member->offset) * 1e3,
+                     4096.0);
 }
 
 whirl_status fit_run_make(fit_maker *m, const fit_set *set, whirl_fit_run **out) {

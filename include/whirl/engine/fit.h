@@ -22,11 +22,11 @@ extern "C" {
 
 /// Limits of fits.
 enum {
-    WHIRL_MAX_UNKNOWNS = 8,        ///< unknown parameters
-    WHIRL_MAX_FIT_SETS = 32,       ///< files of measured numbers
-    WHIRL_MAX_FIT_MOTIONS = 1024,  ///< motions of a fit
+    WHIRL_MAX_UNKNOWNS = 8,         ///< unknown parameters
+    WHIRL_MAX_FIT_SETS = 32,        ///< files of measured numbers
+    WHIRL_MAX_FIT_MOTIONS = 1024,   ///< motions of a fit
     WHIRL_MAX_FIT_NUMBERS = 100000, ///< measured numbers
-    WHIRL_MAX_FIT_RUN_ORDER = 4    ///< highest order of a run
+    WHIRL_MAX_FIT_RUN_ORDER = 4     ///< highest order of a run
 };
 
 /// Options of a fit.
@@ -97,10 +97,10 @@ typedef struct whirl_fit_number {
 /// A run of the machine at a changing speed, whose orders over a turn are measured at speeds or times. Each row of its
 /// table is a motion of the fit, and all of them are computed together.
 typedef struct whirl_fit_run {
-    size_t set;          ///< entry of the data, from 0
-    size_t first, count; ///< index of its first motion, and number of its motions
-    bool by_time;        ///< rows are at times (whirl_fit_motion.time), else at speeds
-    bool sized;          ///< the number of rows of the run is given, else every turn has a row
+    size_t set;                                ///< entry of the data, from 0
+    size_t first, count;                       ///< index of its first motion, and number of its motions
+    bool by_time;                              ///< rows are at times (whirl_fit_motion.time), else at speeds
+    bool sized;                                ///< the number of rows of the run is given, else every turn has a row
     const struct whirl_runup_options *options; ///< at the parameters of the case; borrowed
 } whirl_fit_run;
 
@@ -173,7 +173,7 @@ typedef struct whirl_fit_solution {
     double *model;                         ///< [number_count] SI, the numbers of the machine
     double *largest; ///< [motion_count] largest modulus of the orbit's multipliers: stable below 1; NaN for others
     double *speeds;  ///< [motion_count] rad/s
-    double *times; ///< [motion_count] s since the beginning of its run, 0 if that is not known; NaN for others
+    double *times;   ///< [motion_count] s since the beginning of its run, 0 if that is not known; NaN for others
     double *scatter; ///< [motion_count] of statistics: largest scatter of a number over its noise; NaN for others
 } whirl_fit_solution;
 

@@ -35,11 +35,12 @@ static const field_plan fields[FIELD_COUNT] = {
                  WHIRL_PER_POINT, FIT_UNKNOWN_COLUMNS, fit_unknowns},
     [CORRELATION] = {WHIRL_FIELD_FIT_CORRELATION, "1", "coefficients of correlation of the unknowns' errors",
                      WHIRL_PER_POINT, WHIRL_MAX_UNKNOWNS, fit_unknowns},
-    [MOTION] = {WHIRL_FIELD_FIT_MOTION, "1",
-                "speed, multiplier, scatter, time (rad/s; largest modulus of the orbit's multipliers: stable below 1; NaN "
-                "for what is no orbit; of statistics: the largest scatter over its noise; of a row of a run-up: s "
-                "since its beginning, else NaN)",
-                WHIRL_PER_POINT, FIT_MOTION_COLUMNS, fit_motions},
+    [MOTION] =
+        {WHIRL_FIELD_FIT_MOTION, "1",
+         "speed, multiplier, scatter, time (rad/s; largest modulus of the orbit's multipliers: stable below 1; NaN "
+         "for what is no orbit; of statistics: the largest scatter over its noise; of a row of a run-up: s "
+         "since its beginning, else NaN)",
+         WHIRL_PER_POINT, FIT_MOTION_COLUMNS, fit_motions},
     [NUMBER] = {WHIRL_FIELD_FIT_NUMBER, "1",
                 "set, motion, station, angle, quantity, at, measured, model, noise (entry of the data and motion from "
                 "0; rad; 0 displacement, 1 and 2 cosine and sine part of an order, 3 its amplitude, 4 displacement "

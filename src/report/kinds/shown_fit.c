@@ -89,8 +89,7 @@ static size_t fit_count_runs(const whirl_table *table, size_t point) {
     const whirl_field *motions = whirl_layout_field(&table->layout, WHIRL_FIELD_FIT_MOTION);
     const double *motion = whirl_table_field(table, point, WHIRL_FIELD_FIT_MOTION, 0);
     size_t count = 0;
-    for (size_t i = 0; motions && i < motions->rows; i++)
-        count += isfinite(motion[FIT_MOTION_COLUMNS * i + FIT_TIME]);
+    for (size_t i = 0; motions && i < motions->rows; i++) count += isfinite(motion[FIT_MOTION_COLUMNS * i + FIT_TIME]);
     return count;
 }
 
@@ -457,10 +456,11 @@ static void fit_find_runs(const shown_fit_of *f) {
     const whirl_field *motions = whirl_layout_field(&f->of->table->layout, WHIRL_FIELD_FIT_MOTION);
     const size_t count = fit_count_runs(f->of->table, f->point);
     if (count == 0) return;
-    phrase_text(f->of, &find_statement(f->of, "run-ups")->found,
-                "%zu of %zu rows of the measured tables are compared with the machine at a changing speed, by the orders "
-                "of single turns; their derivatives are differences of whole runs",
-                count, motions->rows);
+    phrase_text(
+        f->of, &find_statement(f->of, "run-ups")->found,
+        "%zu of %zu rows of the measured tables are compared with the machine at a changing speed, by the orders "
+        "of single turns; their derivatives are differences of whole runs",
+        count, motions->rows);
 }
 
 /// States how many starts led to the same minimum.

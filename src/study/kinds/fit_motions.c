@@ -244,7 +244,8 @@ static whirl_status place_compute(const fit_motions *m, size_t index, const doub
     double lengths[1 + WHIRL_MAX_UNKNOWNS] = {1.0};
     fit_place_make(&p, m, index, values);
     *lost = index;
-    if (p.motion->run) return index == p.motion->run->first ? fit_run(&p, m->tried, m->model, slopes, lost) : whirl_ok();
+    if (p.motion->run)
+        return index == p.motion->run->first ? fit_run(&p, m->tried, m->model, slopes, lost) : whirl_ok();
     // A threshold or a mode, in place of a motion, has a single number.
     const size_t first = place_first(m, index);
     const whirl_fit_number *number = &m->fit->numbers[first];

@@ -11,8 +11,8 @@
 #include "whirl/engine/fields.h"
 #include "whirl/engine/running.h"
 
-/// RUN_STENCIL: neighbouring values of an unknown for its derivative, in addition to the value itself. RUN_TOGETHER: runs
-/// that are carried together. RUN_NODES: turns between which orders are interpolated.
+/// RUN_STENCIL: neighbouring values of an unknown for its derivative, in addition to the value itself. RUN_TOGETHER:
+/// runs that are carried together. RUN_NODES: turns between which orders are interpolated.
 enum { RUN_STENCIL = 4, RUN_TOGETHER = 8, RUN_NODES = 4 };
 
 /// Limits of the number of rows of a run, with a turn in each.
@@ -28,8 +28,7 @@ typedef struct run_stencil {
     double at[RUN_STENCIL], weights[RUN_STENCIL], own; ///< own: weight of the value itself
 } run_stencil;
 
-static const run_stencil around = {
-    {-2.0, -1.0, 1.0, 2.0}, {1.0 / 12.0, -2.0 / 3.0, 2.0 / 3.0, -1.0 / 12.0}, 0.0};
+static const run_stencil around = {{-2.0, -1.0, 1.0, 2.0}, {1.0 / 12.0, -2.0 / 3.0, 2.0 / 3.0, -1.0 / 12.0}, 0.0};
 static const run_stencil above = {{1.0, 2.0, 3.0, 4.0}, {4.0, -3.0, 4.0 / 3.0, -0.25}, -25.0 / 12.0};
 static const run_stencil below = {{-1.0, -2.0, -3.0, -4.0}, {-4.0, 3.0, -4.0 / 3.0, 0.25}, 25.0 / 12.0};
 
@@ -183,7 +182,8 @@ static whirl_status run_read(const run_work *w, const run_turns *t, double *numb
 /// Returns the highest speed of a run, rad/s, as far as it is known before.
 static double run_highest(const whirl_machine *machine, const whirl_runup_options *options) {
     double highest = fmax(options->from, options->to);
-    if (options->rate > 0.0) highest = fmax(highest, options->to > 0.0 ? 0.0 : options->from + options->rate * options->duration);
+    if (options->rate > 0.0)
+        highest = fmax(highest, options->to > 0.0 ? 0.0 : options->from + options->rate * options->duration);
     if (whirl_runup_driven(options)) highest = fmax(highest, machine->drive_speed);
     for (size_t i = 0; machine->course && i < machine->course->speed_count; i++)
         highest = fmax(highest, machine->course->speeds[i]);
@@ -219,8 +219,8 @@ static whirl_status run_make_layout(run_work *w) {
     return status;
 }
 
-/// Carries out runs [count, at most RUN_TOGETHER] at their values, and reads their numbers [count][w->count]; speeds and
-/// times, unless NULL, are those of the rows of the first run.
+/// Carries out runs [count, at most RUN_TOGETHER] at their values, and reads their numbers [count][w->count]; speeds
+/// and times, unless NULL, are those of the rows of the first run.
 static whirl_status run_carry(const run_work *w, run_one *all, size_t count, double *numbers, double *speeds,
                               double *times, size_t *lost) {
     whirl_resting points[RUN_TOGETHER];
@@ -267,7 +267,8 @@ static double run_choose(const whirl_fit_unknown *unknown, double value, const r
     return h;
 }
 
-/// Carries out all runs: the first at the values of the place, then those at neighbouring values. numbers [runs][count].
+/// Carries out all runs: the first at the values of the place, then those at neighbouring values. numbers
+/// [runs][count].
 static whirl_status run_all(const run_work *w, double *numbers, double *speeds, double *times, size_t *lost) {
     const whirl_fit *fit = w->place->of->fit;
     const size_t runs = 1 + RUN_STENCIL * fit->unknown_count;
@@ -322,7 +323,8 @@ whirl_status fit_run(const fit_place *p, fit_orbit *tried, double *model, double
     // Carry out the runs, and derive their numbers.
     double *numbers = calloc(runs * w.count + 2 * rows + 1, sizeof *numbers);
     double *speeds = numbers + runs * w.count, *times = speeds + rows;
-    whirl_status status = numbers ? run_make_layout(&w) : whirl_fail(WHIRL_NO_MEMORY, "no memory for the runs of a fit");
+    whirl_status status =
+        numbers ? run_make_layout(&w) : whirl_fail(WHIRL_NO_MEMORY, "no memory for the runs of a fit");
     if (status.code == WHIRL_OK) status = run_all(&w, numbers, speeds, times, lost);
     if (status.code == WHIRL_OK) {
         memcpy(model + w.first, numbers, w.count * sizeof *model);
