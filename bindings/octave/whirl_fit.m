@@ -9,7 +9,9 @@ function found = whirl_fit(given_case, data, unknown, varargin)
 %
 %   WHIRL_FIT(..., NAME, VALUE, ...) sets further keys of the study fit: 'starts', 'profile', 'loss', ...; and keys of
 %   a table: 'noise', a number in metres or a text '2 um'; 'at', a struct of values in SI that parameters had in the
-%   measurement; 'compare', which is 'statistics' for motions that are not periodic.
+%   measurement; 'compare', which is 'statistics' for motions that are not periodic; 'runup', a struct of the keys of a
+%   run at a changing speed in which the table was measured: struct('speed_from', '600 rpm', 'speed_to', '3000 rpm',
+%   'rate', '400 rpm/s').
 %
 %   Of an HDF5, MAT or universal file: 'columns', a cell of headings and datasets, variables or records, {'time [s]',
 %   't', 'disc x [um]', 'signals[0, :]'}; of a data set: 'record', the number of a record.
@@ -46,7 +48,7 @@ else
 end
 for i = 1:2:numel(varargin)
     value = varargin{i + 1};
-    if any(strcmp(varargin{i}, {'noise', 'at', 'compare', 'columns', 'record'}))
+    if any(strcmp(varargin{i}, {'noise', 'at', 'compare', 'columns', 'record', 'runup'}))
         if numbers
             error('whirl:badInput', '%s belongs to a table, and onsets and modes have it in their struct', varargin{i});
         elseif strcmp(varargin{i}, 'columns')

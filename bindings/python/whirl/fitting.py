@@ -144,6 +144,7 @@ def fit(
     at: Mapping[str, Any] | Sequence[Mapping[str, Any]] | None = None,
     noise: str | float | Mapping[str, str | float] | None = None,
     compare: str = "orbit",
+    runup: Mapping[str, Any] | None = None,
     threads: int = 0,
     **options: Any,
 ) -> Fit:
@@ -168,6 +169,10 @@ def fit(
     compare : str
         "orbit" or, for tables of motions that need not be periodic, "statistics": columns "disc x max [um]",
         "disc x min [um]", "disc x 0.4X [um]" and "contact [%]".
+    runup : dict, optional
+        Keys of a run at a changing speed, {"speed_from": "600 rpm", "speed_to": "3000 rpm", "rate": "400 rpm/s"}, in
+        which the tables were measured: orders over "speed [rpm]" or "time [s]". The machine is run in the same way.
+        Values may be expressions of parameters.
     threads : int
         Number of threads; 0: all cores.
     **options
@@ -205,6 +210,8 @@ def fit(
                 )
             if compare != "orbit" and not number_alone and "compare" not in item:
                 item["compare"] = compare
+            if runup is not None and not number_alone and "runup" not in item:
+                item["runup"] = dict(runup)
             items.append(item)
         study = {"unknown": {name: _where(bounds) for name, bounds in names.items()}, "data": items, **options}
         text = machine + _block({"study": {"fit": study}}) + "\n"
