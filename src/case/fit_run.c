@@ -87,7 +87,8 @@ bool fit_run_reaches(const whirl_fit_run *run, double speed, double ends[2]) {
     const double passed = options->rate * options->duration;
     ends[0] = options->from;
     ends[1] = options->to;
-    if (!(options->rate > 0.0)) return true;
+    // A run without an end is refused when it is made.
+    if (!(options->rate > 0.0) || (options->to == 0.0 && options->duration == 0.0)) return true;
     // With a duration the run ends before or at speed_to, which only says in which direction the speed changes.
     if (options->duration > 0.0 && options->to < options->from && options->to > 0.0)
         ends[1] = fmax(options->to, options->from - passed);

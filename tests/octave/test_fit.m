@@ -62,6 +62,12 @@ wrong(@() whirl_fit(machine, numbers{1}, struct('k', []), 'noise', '1 um'), 'bel
 critical = struct('critical', '104 rad/s', 'noise', '1 rad/s');
 one = whirl_fit(machine, critical, struct('k', [10e3 90e3]), 'profile', true);
 assert(one.k.value > 32e3 && one.k.profile(1) < one.k.value && one.k.profile(2) > one.k.value);
+% So slow a run has the steady motions, to some 1e-3.
+run = struct('speed_from', '50 rad/s', 'speed_to', '150 rad/s', 'rate', '0.5 rad/s2', 'begin', 'steady');
+slow = whirl_fit(machine, data, struct('k', [10e3 90e3], 'e', []), 'noise', 1e-6, 'runup', run);
+assert([slow.k.value slow.e.value], [33e3 38e-6], -5e-3);
+endless = struct('rate', '1 rad/s2');
+wrong(@() whirl_fit(machine, data, struct('k', []), 'runup', endless), 'the run has a rate and no end');
 wrong(@() whirl_fit(machine, 'gone.csv', struct('k', [])), 'gone.csv');
 wrong(@() whirl_fit(machine, data, struct('kk', [])), 'kk');
 wrong(@() whirl_fit(machine, data, 'k'), 'whirl_fit takes a case');

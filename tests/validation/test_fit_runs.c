@@ -182,8 +182,9 @@ static void parameters_are_found(void **unused) {
         double worst = 0.0;
         for (size_t u = 0; u < 3 + (size_t)by_time; u++)
             worst = fmax(worst, fabs(unknown_of(result, u)[2] / values[u] - 1.0));
-        check_within("Fit to run-ups", words("a rotor run through its resonance: error of parameters found %s", names[by_time]),
-                     0.0, worst, 1e-8);
+        check_within("Fit to run-ups",
+                     words("a rotor run through its resonance: error of parameters found %s", names[by_time]), 0.0,
+                     worst, 1e-8);
         // Rows have the times and speeds of the turns.
         const double *motion = whirl_table_field(&result->tables[0], 0, WHIRL_FIELD_FIT_MOTION, 0);
         for (size_t n = 0, row = 0; n < TURNS; n++) {
@@ -286,8 +287,8 @@ static void intervals_cover(void **unused) {
             within += fabs(unknown_of(result, u)[2] - values[u]) <= unknown_of(result, u)[4];
         whirl_result_free(result);
     }
-    check_within("Fit to run-ups", words("%d noisy run-ups: 95 %% intervals that contain the true value, %%", MACHINES), 94.5,
-                 100.0 * (double)within / (double)all, 4.5);
+    check_within("Fit to run-ups", words("%d noisy run-ups: 95 %% intervals that contain the true value, %%", MACHINES),
+                 94.5, 100.0 * (double)within / (double)all, 4.5);
 }
 
 static int make_folder(void **unused) {

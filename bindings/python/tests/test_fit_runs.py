@@ -25,7 +25,7 @@ RUN = {"speed_from": "100 rad/s", "speed_to": "320 rad/s", "rate": "= rate", "be
 
 
 def turns(first=100.0, last=320.0, rate=60.0, every=4):
-    """Returns times, speeds and the parts exp(-i theta) of x and y over turns of the run, by DOP853 and Gauss's rule."""
+    """Returns times, speeds and orders of x and y over turns of the run, by DOP853 and Gauss's rule."""
     k, c, e, spot = TRUTH.values()
 
     def slope(t, s):

@@ -8,7 +8,6 @@
 #include "kinds.h"
 #include "resting_point.h"
 #include "two_pi.h"
-#include "whirl/engine/fields.h"
 #include "whirl/engine/running.h"
 
 /// RUN_STENCIL: neighbouring values of an unknown for its derivative, in addition to the value itself. RUN_TOGETHER:
