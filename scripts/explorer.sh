@@ -3,8 +3,8 @@
 #
 #   scripts/explorer.sh [--if-possible] OUT
 #
-# OUT/whirl.wasm, OUT/worker.js, OUT/template.html. Needs emscripten, node with npm, and the sources of libyaml and
-# muParser, which are fetched from Debian once. If something is missing it says so in one line and fails; with
+# OUT/whirl.wasm, OUT/worker.js, OUT/template.html. Needs emscripten, node with npm, and the sources of libyaml,
+# muParser and zlib, which are fetched from Debian once. If something is missing it says so in one line and fails; with
 # --if-possible it does not fail.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -61,6 +61,7 @@ fetch() { # PACKAGE DIRECTORY
 }
 fetch libyaml libyaml
 fetch muparser muparser
+fetch zlib zlib
 
 # ---- the core, then the program around it
 

@@ -22,7 +22,7 @@ declare -A packages=(
     # auto-07p, which needs gfortran, is a program with which tests compare; it is never linked.
     [test]="libcmocka-dev liblapacke-dev libopenblas-dev clang libclang-rt-14-dev lld libomp-dev valgrind
             python3-h5py python3-jsonschema python3-scipy python3-sklearn auto-07p gfortran libopenmpi-dev openmpi-bin"
-    # dpkg-dev unpacks the sources of libyaml and muParser, which emscripten compiles.
+    # dpkg-dev unpacks the sources of libyaml, muParser and zlib, which emscripten compiles.
     [explorer]="emscripten nodejs npm dpkg-dev"
     [browser]="chromium-headless-shell firefox-esr"
     # The tutorials, whose code the tests run too, are in Python and Octave.

@@ -43,9 +43,9 @@ const char *explorer_edit(const char *source, size_t length, const char *path, c
 
 // ---------------------------------------------------------------- measured numbers
 
-/// Reads the text of a table of measured numbers for the machine of a case, as `study: fit` reads files; `name` is the
+/// Reads the bytes of a file of measured numbers for the machine of a case, as `study: fit` reads files; `name` is the
 /// file's in messages. Returns the MeasuredTable of protocol.ts as JSON. NULL after a failure.
-const char *explorer_measured(const whirl_case *object, const char *name, const char *source, size_t length);
+const char *explorer_measured(const whirl_case *object, const char *name, const void *bytes, size_t size);
 
 /// Returns the largest number of rows of explorer_measured_spectrum.
 size_t explorer_measured_orders(void);

@@ -38,9 +38,9 @@ static void measured_write(text *t, const whirl_measured_table *measured) {
     text_add(t, "]}");
 }
 
-EXPORTED const char *explorer_measured(const whirl_case *object, const char *name, const char *source, size_t length) {
+EXPORTED const char *explorer_measured(const whirl_case *object, const char *name, const void *bytes, size_t size) {
     whirl_measured_table *measured;
-    const whirl_status status = whirl_measured_read(object, name, source, length, &measured);
+    const whirl_status status = whirl_measured_read(object, name, bytes, size, &measured);
     if (!explorer_good(&status)) return NULL;
     text_clear(&answer);
     measured_write(&answer, measured);

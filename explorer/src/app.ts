@@ -8,7 +8,7 @@ import type { Range } from './figure/chart';
 import { anyFollows } from './model/derived';
 import { History } from './model/history';
 import type { Plan } from './model/recompute';
-import type { NamedText } from './model/measured';
+import type { NamedFile } from './model/measured';
 import { Session, type Change, type SideName } from './model/session';
 import { assignmentTexts, readAddress, writeAddress, type Address, type Computation } from './model/setting';
 import type { SideModel } from './model/side';
@@ -558,7 +558,7 @@ export class App {
     });
   }
 
-  private async measure(files: readonly NamedText[]): Promise<void> {
+  private async measure(files: readonly NamedFile[]): Promise<void> {
     const { session } = this;
     if (files.length === 0) return;
     await session.addMeasured(files);

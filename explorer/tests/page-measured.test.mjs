@@ -1,5 +1,6 @@
 // Tests measured data over the model: an orbit and 1X vectors from the closed form of a wheel on a damped spring.
 import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
@@ -52,14 +53,18 @@ function bodeTable() {
 
 after(closeBrowser);
 
-/// Drops files with these names and texts onto the page.
+/// Drops files with these names and contents, texts or bytes, onto the page.
 const drop = (page, files) =>
-  page.evaluate((all) => {
-    const data = new DataTransfer();
-    for (const [name, text] of all) data.items.add(new File([text], name, { type: 'text/csv' }));
-    document.body.dispatchEvent(new DragEvent('dragover', { dataTransfer: data, bubbles: true, cancelable: true }));
-    document.body.dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
-  }, files);
+  page.evaluate(
+    (all) => {
+      const data = new DataTransfer();
+      for (const [name, content] of all)
+        data.items.add(new File([Uint8Array.from(atob(content), (letter) => letter.charCodeAt(0))], name));
+      document.body.dispatchEvent(new DragEvent('dragover', { dataTransfer: data, bubbles: true, cancelable: true }));
+      document.body.dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
+    },
+    files.map(([name, content]) => [name, Buffer.from(content).toString('base64')]),
+  );
 const list = (page) => page.$$eval('.measured li > .key', (all) => all.map((each) => each.textContent));
 
 test('a measured orbit and measured vectors lie over the model, and go again', async () => {
@@ -110,6 +115,92 @@ test('a measured orbit and measured vectors lie over the model, and go again', a
   assert.equal(await page.textContent('.measured .trouble'), "bad.csv:1:14: 'disk' is no station, did you mean disc?");
   await page.click('.measured .troubles button');
   await page.waitForSelector('.measured .troubles', { state: 'hidden' });
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+const PYTHON = '/usr/bin/python3';
+function pythonLacks() {
+  try {
+    execFileSync(PYTHON, ['-c', 'import h5py, scipy.io'], { stdio: 'ignore' });
+    return false;
+  } catch {
+    return 'h5py or scipy is missing (scripts/install-dependencies.sh test)';
+  }
+}
+
+/// Returns a table and files of other formats with its numbers, by their names: NAME.csv, .mat, -7.3.mat, .h5, .uff.
+function sameNumbers(name, text) {
+  const path = join(folder, `${name}.csv`);
+  writeFileSync(path, text);
+  execFileSync(PYTHON, [new URL('./measured_files.py', import.meta.url).pathname, path]);
+  return ['.csv', '.mat', '-7.3.mat', '.h5', '.uff'].map((end) => [name + end, readFileSync(join(folder, name + end))]);
+}
+
+test('MAT, HDF5 and universal files lie over the model as tables do', { skip: pythonLacks() }, async () => {
+  const { page, complaints, close } = await open(makePage('files', WHEEL));
+  await page.waitForSelector('.parameter');
+  await page.fill('#value-a', '1500');
+  await page.press('#value-a', 'Enter');
+  await settled(page);
+
+  /// Returns what the page shows of a file, which is removed again: texts and pictures.
+  const shownOf = async ([name, bytes], keys, panels) => {
+    await drop(page, [[name, bytes]]);
+    await page.waitForSelector('.measured li');
+    for (const selector of keys) await page.waitForSelector(selector);
+    await settled(page);
+    const texts = [
+      ...(await list(page)),
+      ...(await page.$$eval('.key-measured', (all) => all.map((each) => each.textContent))),
+    ];
+    const shown = [texts.map((text) => text.replaceAll(name, 'FILE'))];
+    for (const panel of panels) shown.push((await saved(page, panel, 'svg')).bytes.toString('utf8'));
+    await page.click(`.measured button[title="Remove ${name}"]`);
+    await page.waitForFunction(() => document.querySelectorAll('.measured li').length === 0);
+    return shown;
+  };
+  const orbits = sameNumbers('orbit', orbitTable(1500, 1.5));
+  const key = (panel) => `.panel-${panel} .key-measured`;
+  const bodes = sameNumbers('bode', bodeTable());
+  for (const [files, keys, panels] of [
+    [orbits, [key('orbit'), key('waveform'), key('spectrum')], ['.panel-orbit', '.panel-waveform', '.panel-spectrum']],
+    [bodes, ['.legend .key-measured'], ['.map-card']],
+  ]) {
+    const [table, ...others] = files;
+    const expected = await shownOf(table, keys, panels);
+    for (const [i, panel] of panels.entries())
+      assert.notEqual((await saved(page, panel, 'svg')).bytes.toString('utf8'), expected[i + 1], panel);
+    assert.match(expected[0][0], /^FILE: (orbit of disc, 64 instants|1X of disc at 7 speeds)$/);
+    for (const file of others) assert.deepEqual(await shownOf(file, keys, panels), expected, file[0]);
+  }
+
+  // Damaged files have their sentence, and the page goes on.
+  const [, [, mat], , [, hdf5], [, universal]] = orbits;
+  const flip = (bytes, from, to) => Buffer.from(bytes.map((byte, i) => (i >= from && i < to ? byte ^ 0xff : byte)));
+  const chunk = hdf5.lastIndexOf(Buffer.from([0x78, 0x5e])); // where zlib's bytes of the last chunk begin
+  assert.ok(chunk > 0);
+  await drop(page, [
+    ['cut.mat', mat.subarray(0, 700)],
+    ['flipped.mat', flip(mat, 160, 170)],
+    ['flipped.h5', flip(hdf5, chunk + 8, chunk + 12)],
+    ['cut.uff', universal.subarray(0, 1500)],
+    ['empty.mat', ''],
+    ['good.mat', mat],
+  ]);
+  await page.waitForSelector('.measured .trouble:not(:empty)');
+  const sentences = (await page.textContent('.measured .trouble')).split('\n');
+  assert.deepEqual(
+    sentences.map((sentence) => sentence.replace(/ disc [xy] /, ' ')),
+    [
+      'cut.mat: is damaged or cut off',
+      'flipped.mat: is damaged: what it has compressed cannot be read',
+      'flipped.h5: is damaged: a checksum is wrong',
+      'cut.uff: dataset 58 number 1, line 13: is cut off',
+      'empty.mat: is no HDF5, MAT or universal file',
+    ],
+  );
+  assert.deepEqual(await list(page), ['good.mat: orbit of disc, 64 instants']);
   assert.deepEqual(complaints, []);
   await close();
 });

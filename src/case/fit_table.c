@@ -410,13 +410,14 @@ static whirl_status fit_take_table(fit_maker *m, const fit_set *set) {
     return vectors ? fit_take_vectors(m, along) : fit_take_samples(m, along);
 }
 
-/// Returns true for a name that ends as one of a list does, in letters of any size; the list ends with NULL.
-static bool fit_ends_with(const char *name, const char *const *ends) {
+/// Returns true for a name that ends as those of HDF5, MAT and universal files do, in letters of any size.
+static bool fit_is_measured(const char *name) {
+    static const char *const ends[] = {".h5", ".hdf5", ".mat", ".uff", ".unv"};
     const char *dot = strrchr(name, '.');
-    for (; dot && *ends; ends++) {
+    for (size_t i = 0; dot && i < sizeof ends / sizeof *ends; i++) {
         size_t k = 0;
-        while (dot[k] && tolower((unsigned char)dot[k]) == (*ends)[k]) k++;
-        if (!dot[k] && !(*ends)[k]) return true;
+        while (dot[k] && tolower((unsigned char)dot[k]) == ends[i][k]) k++;
+        if (!dot[k] && !ends[i][k]) return true;
     }
     return false;
 }
@@ -431,7 +432,6 @@ static whirl_status fit_read_chosen(fit_maker *m, const fit_set *set, const char
 }
 
 whirl_status fit_table_read(fit_maker *m, const fit_set *set) {
-    static const char *const measured[] = {".mat", ".uff", ".unv", NULL};
     char sentence[WHIRL_MESSAGE_SIZE];
     const char *name = set->file && set->file->kind == NODE_TEXT ? set->file->text : "";
     const setting *record = settings_find(&set->keys, "record");
@@ -441,7 +441,7 @@ whirl_status fit_table_read(fit_maker *m, const fit_set *set) {
         snprintf(sentence, sizeof sentence, "%.100s is too long for the path of a table", name);
         return fit_fail_at(m, set->file, sentence);
     }
-    const bool arrays = arrays_is_file(path) || fit_ends_with(name, measured);
+    const bool arrays = arrays_is_file(path) || fit_is_measured(name);
     whirl_status status;
     if (arrays && record) {
         status = fit_record_read(m, set, path, (size_t)settings_number(m->v, &set->keys, "record"));
@@ -468,9 +468,11 @@ whirl_status fit_table_read(fit_maker *m, const fit_set *set) {
     return status;
 }
 
-whirl_status fit_text_read(fit_maker *m, const char *name, const char *text, size_t length) {
+whirl_status fit_bytes_read(fit_maker *m, const char *name, const void *bytes, size_t size) {
     static const fit_set alone = {.place = NULL}; // without noise
-    whirl_status status = csv_read(name, text, length, FIT_MAX_COLUMNS, &m->table);
+    whirl_status status = arrays_is_bytes(bytes, size) || fit_is_measured(name)
+                              ? csv_read_vectors(name, bytes, size, FIT_MAX_COLUMNS, &m->table)
+                              : csv_read(name, bytes, size, FIT_MAX_COLUMNS, &m->table);
     if (status.code == WHIRL_OK) status = fit_take_table(m, &alone);
     return status;
 }

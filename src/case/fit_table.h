@@ -47,8 +47,8 @@ typedef struct fit_maker {
 /// case or in the table; WHIRL_NO_MEMORY.
 whirl_status fit_table_read(fit_maker *m, const fit_set *set);
 
-/// Reads the text of a table that belongs to no fit, as fit_table_read does; `name` is the name of the table in
+/// Reads the bytes of a file that belongs to no fit, as fit_table_read does; `name` is the name of the file in
 /// messages. The caller frees m->table, also after a failure.
-whirl_status fit_text_read(fit_maker *m, const char *name, const char *text, size_t length);
+whirl_status fit_bytes_read(fit_maker *m, const char *name, const void *bytes, size_t size);
 
 #endif

@@ -1,4 +1,4 @@
-// Tables of measured numbers outside of a fit.
+// Measured numbers outside of a fit.
 #include "whirl/internal/measured.h"
 
 #include <stdlib.h>
@@ -17,7 +17,7 @@ typedef struct measured_lists {
     whirl_problems problems;
 } measured_lists;
 
-whirl_status whirl_measured_read(const whirl_case *object, const char *name, const char *text, size_t length,
+whirl_status whirl_measured_read(const whirl_case *object, const char *name, const void *bytes, size_t size,
                                  whirl_measured_table **out) {
     measured_lists *own = calloc(1, sizeof *own);
     *out = NULL;
@@ -25,7 +25,7 @@ whirl_status whirl_measured_read(const whirl_case *object, const char *name, con
     case_reader reader = {.arena = &own->arena, .problems = &own->problems, .parameters = &object->content.parameters};
     own->parts.machine = &object->content.machine;
     own->maker = (fit_maker){.reader = &reader, .parts = &own->parts, .noise = 1.0};
-    whirl_status status = fit_text_read(&own->maker, name, text, length);
+    whirl_status status = fit_bytes_read(&own->maker, name, bytes, size);
     // Keep the lists, which are in the arena, and the title, which is in the table.
     own->measured.fit = own->maker.fit;
     own->measured.fit.motions = own->maker.motions;

@@ -40,8 +40,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     char text[64];
     require(bytes != NULL);
     memcpy(bytes, data, size);
-    const byte_source source = bytes_of_memory(bytes, size);
-    const whirl_status status = arrays_open_source(&source, "fuzz.h5", &file);
+    const whirl_status status = arrays_open_bytes(bytes, size, "fuzz.h5", &file);
     require((status.code == WHIRL_OK) == (file != NULL));
     require(status.code == WHIRL_OK || *status.message);
     if (file) {

@@ -125,12 +125,16 @@ export class Core {
 
   // -------------------------------------------------------------- measured numbers
 
-  measured(object: number, name: string, text: string): MeasuredTable {
-    return this.withTexts([name, text], (nameAt, textAt) =>
-      JSON.parse(
-        this.text(this.module._explorer_measured(object, nameAt!, textAt!, this.module.lengthBytesUTF8(text))),
-      ),
-    ) as MeasuredTable;
+  measured(object: number, name: string, bytes: Uint8Array): MeasuredTable {
+    const at = this.allocate(Math.max(bytes.length, 1));
+    try {
+      this.module.HEAPU8.set(bytes, at);
+      return this.withTexts([name], (nameAt) =>
+        JSON.parse(this.text(this.module._explorer_measured(object, nameAt!, at, bytes.length))),
+      ) as MeasuredTable;
+    } finally {
+      this.free(at);
+    }
   }
 
   measuredSpectrum(turns: Float64Array, x: Float64Array, y: Float64Array): Float64Array {

@@ -238,8 +238,8 @@ class Pool implements Engine {
     if (this.runner && this.runner.pending.size > 0) this.dropRunner(STALE);
   }
 
-  measured(setting: Setting, name: string, text: string, manner?: Manner): Promise<Outcome<MeasuredTable>> {
-    return this.ask({ kind: 'measured', setting, name, text }, manner);
+  measured(setting: Setting, name: string, bytes: Uint8Array, manner?: Manner): Promise<Outcome<MeasuredTable>> {
+    return this.ask({ kind: 'measured', setting, name, bytes }, manner);
   }
 
   measuredSpectrum(request: MeasuredSpectrumRequest, manner?: Manner): Promise<Outcome<Float64Array>> {

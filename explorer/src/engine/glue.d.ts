@@ -1,6 +1,7 @@
 // Types of the module that emscripten makes from explorer/core; the build replaces the name by build/explorer/glue.cjs.
 declare module 'whirl-core-glue' {
   export interface CoreModule {
+    readonly HEAPU8: Uint8Array;
     readonly HEAPF64: Float64Array;
     UTF8ToString(pointer: number): string;
     stringToUTF8(text: string, pointer: number, size: number): void;
@@ -14,7 +15,7 @@ declare module 'whirl-core-glue' {
     _explorer_case_text(object: number): number;
     _explorer_describe(object: number): number;
     _explorer_edit(source: number, length: number, path: number, value: number): number;
-    _explorer_measured(object: number, name: number, source: number, length: number): number;
+    _explorer_measured(object: number, name: number, bytes: number, size: number): number;
     _explorer_measured_orders(): number;
     _explorer_measured_spectrum(turn: number, values: number, count: number, rows: number): number;
     _explorer_plan_new(object: number, batch: number, parameter: number): number;

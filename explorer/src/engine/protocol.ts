@@ -417,8 +417,8 @@ export interface Engine {
   /// ends the earlier run, whose outcome is stale.
   run(request: RunRequest, part?: (so_far: RunResult) => void): Promise<Outcome<RunResult>>;
   endRun(): void;
-  /// Reads the text of a table of measured numbers for the machine of a case.
-  measured(setting: Setting, name: string, text: string, manner?: Manner): Promise<Outcome<MeasuredTable>>;
+  /// Reads the bytes of a file of measured numbers for the machine of a case.
+  measured(setting: Setting, name: string, bytes: Uint8Array, manner?: Manner): Promise<Outcome<MeasuredTable>>;
   /// Computes the spectrum of a measured motion: rows of order, amplitudes of x, y, forward and backward whirl, in the
   /// unit of x and y. Below 4 revolutions rows are exact parts of the whole revolutions.
   measuredSpectrum(request: MeasuredSpectrumRequest, manner?: Manner): Promise<Outcome<Float64Array>>;

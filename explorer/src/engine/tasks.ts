@@ -56,7 +56,7 @@ export class Tasks {
       case 'run':
         return this.runUp(id, task.request);
       case 'measured':
-        return this.measured(task.setting, task.name, task.text);
+        return this.measured(task.setting, task.name, task.bytes);
       case 'measured-spectrum':
         return this.measuredSpectrum(task.request);
       case 'rewrite':
@@ -132,8 +132,8 @@ export class Tasks {
     return this.core.describe(this.open(setting));
   }
 
-  private *measured(setting: Setting, name: string, text: string): Steps {
-    return this.core.measured(this.open(setting), name, text);
+  private *measured(setting: Setting, name: string, bytes: Uint8Array): Steps {
+    return this.core.measured(this.open(setting), name, bytes);
   }
 
   private *measuredSpectrum({ turns, x, y }: MeasuredSpectrumRequest): Steps {

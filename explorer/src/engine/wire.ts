@@ -37,7 +37,7 @@ export type Task =
   | { readonly kind: 'part'; readonly request: PartRequest }
   | { readonly kind: 'transient'; readonly request: TransientRequest }
   | { readonly kind: 'run'; readonly request: RunRequest }
-  | { readonly kind: 'measured'; readonly setting: Setting; readonly name: string; readonly text: string }
+  | { readonly kind: 'measured'; readonly setting: Setting; readonly name: string; readonly bytes: Uint8Array }
   | { readonly kind: 'measured-spectrum'; readonly request: MeasuredSpectrumRequest }
   | { readonly kind: 'rewrite'; readonly setting: Setting; readonly edits: readonly Edit[] };
 

@@ -12,10 +12,10 @@ const NONE: readonly MeasuredData[] = [];
 /// Columns of a row of a spectrum.
 const COLUMNS = 5;
 
-export interface NamedText {
+export interface NamedFile {
   readonly name: string;
   readonly size: number;
-  text(): Promise<string>;
+  arrayBuffer(): Promise<ArrayBuffer>;
 }
 
 export class Measured {
@@ -46,7 +46,7 @@ export class Measured {
   }
 
   /// Reads files for the machine of a setting; a file replaces one of the same name. Returns the data that were read.
-  async add(machine: string, setting: Setting, files: readonly NamedText[]): Promise<readonly MeasuredData[]> {
+  async add(machine: string, setting: Setting, files: readonly NamedFile[]): Promise<readonly MeasuredData[]> {
     const read: MeasuredData[] = [];
     const troubles: string[] = [];
     for (const file of files) {
@@ -61,16 +61,16 @@ export class Measured {
     return read;
   }
 
-  private async read(setting: Setting, file: NamedText): Promise<MeasuredData | string | undefined> {
+  private async read(setting: Setting, file: NamedFile): Promise<MeasuredData | string | undefined> {
     if (file.size > MAX_BYTES)
-      return `${file.name} has ${Math.ceil(file.size / (1 << 20))} MiB, expected a table of at most 16 MiB`;
-    let text: string;
+      return `${file.name} has ${Math.ceil(file.size / (1 << 20))} MiB, expected a file of at most 16 MiB`;
+    let bytes: Uint8Array;
     try {
-      text = await file.text();
+      bytes = new Uint8Array(await file.arrayBuffer());
     } catch (error) {
       return `${file.name} cannot be read: ${error instanceof Error ? error.message : String(error)}`;
     }
-    const outcome = await this.engine?.measured(setting, file.name, text, { priority: 0 });
+    const outcome = await this.engine?.measured(setting, file.name, bytes, { priority: 0 });
     if (outcome?.ok) return new MeasuredData(file.name, outcome.value);
     return outcome && outcome.why !== 'stale' ? outcome.message : undefined;
   }

@@ -13,7 +13,7 @@ import type { Run, StoredTable } from '../data/run';
 import { RunUp } from '../data/runup';
 import type { CaseInfo, Engine, OrbitRequest, Setting, StationInfo, SweepProgress } from '../engine/protocol';
 import { introOfPart, machinesOf, scalesOf, type Machine } from './machine';
-import { Measured, type NamedText } from './measured';
+import { Measured, type NamedFile } from './measured';
 import { RunModel } from './run_model';
 import { cutOf, plainText, plainValue, type Cut } from './map_cut';
 import { canRefine, MapRefinement, type MapPart } from './map_refinement';
@@ -443,7 +443,7 @@ export class Session {
   }
 
   /// Reads files of measured data. Shows a station that they measured and, for vectors, an amplitude.
-  async addMeasured(files: readonly NamedText[]): Promise<void> {
+  async addMeasured(files: readonly NamedFile[]): Promise<void> {
     const { machine } = this;
     const read = await this.measured.add(machine.name, { text: this.text, name: machine.caseName }, files);
     if (read.length === 0 || machine !== this.machine) return;

@@ -92,9 +92,10 @@ const POINTS: readonly (readonly [string, string])[] = [
   ],
   [
     'Measured data',
-    'Tables (CSV) that are dropped onto the page, or chosen with Measured\u2026, lie over the model as dots: an ' +
-      'orbit over the angle or the time (angle [deg], disc x [um], disc y [um]), or 1X vectors over the speed ' +
-      '(speed [rpm], disc x [um], disc x lag [deg]). Columns are those of files for fits. Nothing leaves the computer.',
+    'Tables (CSV), HDF5, MAT and universal files that are dropped onto the page, or chosen with Measured\u2026, lie ' +
+      'over the model as dots: an orbit over the angle or the time (angle [deg], disc x [um], disc y [um]), or 1X ' +
+      'vectors over the speed (speed [rpm], disc x [um], disc x lag [deg]). Columns are those of files for fits. ' +
+      'Nothing leaves the computer.',
   ],
   [
     'Keep',

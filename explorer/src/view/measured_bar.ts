@@ -1,12 +1,12 @@
 // Measured data over the machine: the files, where they can be seen, and the sentences on files that were refused.
 import type { MeasuredData } from '../data/measured';
 import { button, el } from '../dom';
-import type { NamedText } from '../model/measured';
+import type { NamedFile } from '../model/measured';
 import { VECTORS, type Session } from '../model/session';
 import { parameterMeasure, shownWhole } from '../model/units';
 
 export interface MeasuredListener {
-  files(files: readonly NamedText[]): void;
+  files(files: readonly NamedFile[]): void;
   removed(name: string): void;
   forgiven(): void;
 }
@@ -18,7 +18,7 @@ export class MeasuredBar {
   private readonly troubles: HTMLElement;
   private readonly input = el('input', {
     type: 'file',
-    accept: '.csv,.txt,.tsv,text/csv',
+    accept: '.csv,.txt,.tsv,.h5,.hdf5,.mat,.uff,.unv,text/csv',
     multiple: true,
     hidden: true,
   });

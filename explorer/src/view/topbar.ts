@@ -71,7 +71,7 @@ export class Topbar {
     });
     this.measured = button(
       'Measured\u2026',
-      'Measured data: lay an orbit or a Bode plot (CSV) over the model; files can also be dropped onto the page',
+      'Measured data: lay an orbit or a Bode plot (CSV, HDF5, MAT, UFF) over the model; files can also be dropped here',
       () => listener.measured(),
     );
     this.root = el(

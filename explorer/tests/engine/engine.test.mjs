@@ -410,7 +410,10 @@ test('vectors of two probes are what any probe between them sees', async () => {
   const text =
     'speed [rpm]; disc 30 [um]; disc 30 lag [deg]; disc 100 [um]; disc 100 lag [deg]\n' +
     `600; ${seen(30).join(';')}; ${seen(100).join(';')}\n`;
-  const data = new MeasuredData('m.csv', await good(engine.measured({ text: WHEEL }, 'm.csv', text)));
+  const data = new MeasuredData(
+    'm.csv',
+    await good(engine.measured({ text: WHEEL }, 'm.csv', new TextEncoder().encode(text))),
+  );
   assert.deepEqual([data.kind, data.stations], ['vectors', [0]]);
   within(data.at[0], (600 * Math.PI) / 30, 1e-12, 'the speed');
   for (const probe of [0, 45, 90, 30, 210]) {

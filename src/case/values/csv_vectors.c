@@ -33,15 +33,18 @@ static const char *vector_shape(const arrays_item *item, char text[CSV_TEXT]) {
 
 /// Takes a dataset whose numbers are in one row or column as a vector; false for others.
 static bool vector_of_all(vector_part *out) {
-    size_t longest = 1, all = 1;
+    int longer = 0;
+    bool empty = false;
+    out->length = 1;
     for (int i = 0; i < out->item.rank; i++) {
+        const size_t size = out->item.sizes[i];
         out->first[i] = 0;
-        out->count[i] = out->item.sizes[i];
-        longest = out->item.sizes[i] > longest ? out->item.sizes[i] : longest;
-        all *= out->item.sizes[i];
+        out->count[i] = size;
+        empty = empty || size == 0;
+        longer += size > 1;
+        if (size > 1) out->length = size;
     }
-    out->length = longest;
-    return out->item.rank > 0 && all == longest;
+    return out->item.rank > 0 && longer <= 1 && !empty;
 }
 
 /// Reads an index, from 0 or from the end, or ':'. Returns false if it is neither, or not in the dataset.
@@ -226,21 +229,19 @@ static whirl_status vector_all(arrays_file *file, const char *path, size_t most,
                       path);
 }
 
-whirl_status csv_load_vectors(const char *path, const csv_chosen *chosen, size_t count, size_t most_columns,
-                              csv_table *out) {
-    arrays_file *file;
+/// Reads chosen vectors, or all, of a file that could be opened.
+static whirl_status vector_read(arrays_file *file, const csv_chosen *chosen, size_t count, size_t most_columns,
+                                csv_table *out) {
     vector_search all = {.count = 0};
-    *out = (csv_table){.path = path, .vectors = true};
-    whirl_status status = arrays_open(path, &file);
-    if (status.code == WHIRL_OK && count == 0) status = vector_all(file, path, most_columns, &all);
+    whirl_status status = count == 0 ? vector_all(file, out->path, most_columns, &all) : whirl_ok();
     const size_t columns = count > 0 ? count : all.count;
     for (size_t i = 0; i < columns && status.code == WHIRL_OK; i++) {
         const char *dataset = count > 0 ? chosen[i].dataset : all.found[i].name;
         vector_part part = {.length = 0};
         status = strlen(dataset) < CSV_TEXT
-                     ? vector_find(file, path, dataset, &part)
+                     ? vector_find(file, out->path, dataset, &part)
                      : whirl_fail(WHIRL_BAD_INPUT, "%.150s: the name '%.60s...' has %zu bytes, expected at most %d",
-                                  path, dataset, strlen(dataset), CSV_TEXT - 1);
+                                  out->path, dataset, strlen(dataset), CSV_TEXT - 1);
         const char *unit = status.code == WHIRL_OK && strcmp(part.item.unit, "1") != 0 ? part.item.unit : "";
         if (status.code == WHIRL_OK)
             status = vector_add_column(out, count > 0 ? chosen[i].heading : dataset, unit, dataset, most_columns);
@@ -250,4 +251,19 @@ whirl_status csv_load_vectors(const char *path, const csv_chosen *chosen, size_t
     free(all.found);
     arrays_close(file);
     return status;
+}
+
+whirl_status csv_load_vectors(const char *path, const csv_chosen *chosen, size_t count, size_t most_columns,
+                              csv_table *out) {
+    arrays_file *file;
+    *out = (csv_table){.path = path, .vectors = true};
+    const whirl_status status = arrays_open(path, &file);
+    return status.code == WHIRL_OK ? vector_read(file, chosen, count, most_columns, out) : status;
+}
+
+whirl_status csv_read_vectors(const char *path, const void *bytes, size_t size, size_t most_columns, csv_table *out) {
+    arrays_file *file;
+    *out = (csv_table){.path = path, .vectors = true};
+    const whirl_status status = arrays_open_bytes(bytes, size, path, &file);
+    return status.code == WHIRL_OK ? vector_read(file, NULL, 0, most_columns, out) : status;
 }

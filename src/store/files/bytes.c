@@ -37,8 +37,8 @@ static int read_memory(void *context, uint64_t offset, void *to, size_t size) {
     return 0;
 }
 
-byte_source bytes_of_memory(unsigned char *bytes, size_t size) {
-    return (byte_source){read_memory, bytes, size};
+byte_source bytes_of_memory(const void *bytes, size_t size) {
+    return (byte_source){read_memory, (void *)(uintptr_t)bytes, size}; // read_memory does not change them
 }
 
 static int read_file(void *context, uint64_t offset, void *to, size_t size) {

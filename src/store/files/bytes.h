@@ -15,7 +15,7 @@ typedef struct byte_source {
 } byte_source;
 
 /// Returns a source that reads a borrowed block of memory.
-byte_source bytes_of_memory(unsigned char *bytes, size_t size);
+byte_source bytes_of_memory(const void *bytes, size_t size);
 
 enum { BYTE_WINDOW = 1 << 16 };
 

@@ -30,17 +30,25 @@ static bool source_is_hdf5(const byte_source *source, uint64_t most) {
     return foreign_find_superblock(source, most, &at) == 0 && at < source->size;
 }
 
+static bool source_is_file(const byte_source *source) {
+    return source_is_hdf5(source, 4096) || mat_is_file(source) || universal_is_file(source);
+}
+
 bool arrays_is_file(const char *path) {
     byte_file *file = malloc(sizeof *file);
     if (!file || bytes_open(file, path).code != WHIRL_OK) {
         free(file);
         return false;
     }
-    const bool found =
-        source_is_hdf5(&file->source, 4096) || mat_is_file(&file->source) || universal_is_file(&file->source);
+    const bool found = source_is_file(&file->source);
     bytes_close(file);
     free(file);
     return found;
+}
+
+bool arrays_is_bytes(const void *bytes, size_t size) {
+    const byte_source source = bytes_of_memory(bytes, size);
+    return source_is_file(&source);
 }
 
 /// Ends a call: the status with the file's path, and the dataset's or object's name, before its sentence. Clears it, so
@@ -82,11 +90,11 @@ static whirl_status arrays_begin(arrays_file *file, arrays_file **out) {
     return status;
 }
 
-whirl_status arrays_open_source(const byte_source *source, const char *name, arrays_file **out) {
+whirl_status arrays_open_bytes(const void *bytes, size_t size, const char *name, arrays_file **out) {
     arrays_file *file = arrays_new(name);
     *out = NULL;
     if (!file) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a file of numbers");
-    file->source = *source;
+    file->source = bytes_of_memory(bytes, size);
     return arrays_begin(file, out);
 }
 
@@ -243,7 +251,10 @@ static void arrays_describe(foreign_file *file, const foreign_object *object, fo
     *out = (arrays_item){.factor = 1.0};
     if (!foreign_array_read(file, object, array)) return;
     out->rank = array->rank;
-    for (int i = 0; i < array->rank; i++) out->sizes[i] = (size_t)array->sizes[i];
+    for (int i = 0; i < array->rank; i++) {
+        out->sizes[i] = (size_t)array->sizes[i];
+        if (out->sizes[i] != array->sizes[i]) foreign_fail(file, "has more numbers than this processor can address");
+    }
     out->numbers = array->type.kind == FOREIGN_WHOLE || array->type.kind == FOREIGN_REAL;
     out->described = array->type.described;
     // MATLAB's texts are whole numbers with an attribute.

@@ -7,7 +7,7 @@
 #define STORE_FOREIGN_H
 
 #include "bytes.h"
-#include "h5file.h"
+#include "plain_part.h"
 #include "whirl/internal/arrays.h"
 #include "whirl/status.h"
 
@@ -49,9 +49,6 @@ bool foreign_read(foreign_file *file, uint64_t address, void *to, size_t size);
 
 /// Reads a block of metadata, which begins with `signature` (NULL: with anything), to be freed; NULL after a failure.
 unsigned char *foreign_block(foreign_file *file, uint64_t address, uint64_t size, const char *signature);
-
-/// Opens bytes as arrays_open does a file; they must outlive it. `name` stands in messages.
-whirl_status arrays_open_source(const byte_source *source, const char *name, arrays_file **out);
 
 // ---------------------------------------------------------------- objects (foreign_objects.c)
 

@@ -4,15 +4,13 @@
 #define STORE_H5FILE_H
 
 #include "bytes.h"
+#include "plain_part.h"
 #include "whirl/status.h"
 
 #include <hdf5.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-
-/// The bytes with which a superblock begins (HDF5 File Format Specification 3.0, II.A).
-static const unsigned char h5_signature[8] = {0x89, 'H', 'D', 'F', '\r', '\n', 0x1a, '\n'};
 
 // ---------------------------------------------------------------- h5driver
 // A driver through which HDF5 reads and writes its file.
@@ -79,18 +77,6 @@ void h5_close(h5_bytes *bytes, hid_t file);
 // and storage, heaps and trees.
 //
 // Numbers of sections are those of the HDF5 File Format Specification 3.0.
-
-#define PLAIN_NOWHERE UINT64_MAX ///< address of a missing object
-
-/// A part of a file that is read from its beginning on. Reading past the end gives zeros and sets `short_of`.
-typedef struct plain_part {
-    const unsigned char *at;
-    size_t left;
-    bool short_of;
-} plain_part;
-
-uint64_t plain_number(plain_part *part, int bytes); ///< reads a little-endian number of 1 to 8 bytes
-void plain_skip(plain_part *part, size_t bytes);
 
 /// Content of the messages of one object.
 typedef struct plain_object {

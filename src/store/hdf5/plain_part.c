@@ -1,5 +1,5 @@
-// Reads a part of a file from its beginning on (h5file.h).
-#include "h5file.h"
+// Reads a part of a file from its beginning on (plain_part.h).
+#include "plain_part.h"
 
 uint64_t plain_number(plain_part *part, int bytes) {
     uint64_t value = 0;

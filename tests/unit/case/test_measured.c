@@ -1,4 +1,4 @@
-// Tables of measured numbers outside of a fit: numbers in SI with their places, and refusals as those of fits.
+// Measured numbers outside of a fit: numbers in SI with their places, and refusals as those of fits.
 #include "case_support.h"
 
 #include <math.h>
@@ -72,6 +72,40 @@ static void vectors_have_the_place_of_their_row(void **state) {
     whirl_measured_free(measured);
 }
 
+/// A universal file has the numbers of a table, and bytes of another kind under such a name are refused.
+static void bytes_of_other_files_are_tables(void **state) {
+    static const char file[] = "    -1\n    58\nNONE\nNONE\nNONE\nNONE\nNONE\n"
+                               "    1         0    0         0       disc         0   1       NONE         0   0\n"
+                               "         2         3         1  0.00000e+00  2.50000e-01  0.00000e+00\n"
+                               "        17    0    0    0 NONE                 s\n"
+                               "         8    0    0    0 NONE                 um\n"
+                               "         0    0    0    0 NONE                 NONE\n"
+                               "         0    0    0    0 NONE                 NONE\n"
+                               "  1.00000e+00  2.00000e+00  4.00000e+00\n    -1\n";
+    whirl_measured_table *measured;
+    (void)state;
+    assert_int_equal(whirl_measured_read(object, "m.uff", file, sizeof file - 1, &measured).code, WHIRL_OK);
+    assert_int_equal(measured->fit.number_count, 3);
+    expect_number(measured, 0, WHIRL_FIT_WAVEFORM, 0.0, 1e-6);
+    expect_number(measured, 2, WHIRL_FIT_WAVEFORM, 0.5, 4e-6);
+    whirl_measured_free(measured);
+    // It is known by its bytes, whatever its name is.
+    assert_int_equal(whirl_measured_read(object, "m.txt", file, sizeof file - 1, &measured).code, WHIRL_OK);
+    whirl_measured_free(measured);
+    whirl_status status = whirl_measured_read(object, "m.uff", file, sizeof file - 20, &measured);
+    assert_int_equal(status.code, WHIRL_BAD_INPUT);
+    assert_string_equal(status.message, "m.uff: dataset 58 number 1, line 13: is cut off");
+    static const char *const names[] = {"m.h5", "m.HDF5", "m.mat", "m.uff", "m.unv"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        char expected[80];
+        snprintf(expected, sizeof expected, "%s: is no HDF5, MAT or universal file", names[i]);
+        status = whirl_measured_read(object, names[i], "0", i % 2, &measured);
+        assert_int_equal(status.code, WHIRL_BAD_INPUT);
+        assert_string_equal(status.message, expected);
+        assert_null(measured);
+    }
+}
+
 /// A refusal has one sentence with the file, the line, the column, what was found and what is expected.
 static void refusals_have_their_place(void **state) {
     static const char *const tables[][2] = {
@@ -96,6 +130,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(instants_are_those_of_the_table),
         cmocka_unit_test(vectors_have_the_place_of_their_row),
+        cmocka_unit_test(bytes_of_other_files_are_tables),
         cmocka_unit_test(refusals_have_their_place),
     };
     return cmocka_run_group_tests(tests, open_case, close_case);

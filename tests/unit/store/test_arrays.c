@@ -303,8 +303,7 @@ static void read_bytes(const unsigned char *bytes, size_t size) {
     unsigned char *copy = malloc(size > 0 ? size : 1);
     assert_non_null(copy);
     memcpy(copy, bytes, size);
-    const byte_source source = bytes_of_memory(copy, size);
-    const whirl_status status = arrays_open_source(&source, "a.h5", &file);
+    const whirl_status status = arrays_open_bytes(copy, size, "a.h5", &file);
     assert_true(status.code == WHIRL_OK || *status.message);
     if (status.code == WHIRL_OK) arrays_visit(file, read_some, file);
     arrays_close(file);

@@ -30,12 +30,20 @@ typedef struct arrays_item {
 /// Returns true for a file that begins as those of one of the formats do.
 bool arrays_is_file(const char *path);
 
+/// Does the same with the bytes of a file.
+bool arrays_is_bytes(const void *bytes, size_t size);
+
 /// Returns true for such a file that can be opened and is no result of whirl.
 bool arrays_is_foreign(const char *path);
 
 /// Opens a file. WHIRL_BAD_INPUT with a sentence for one of another format, damaged or cut off; WHIRL_IO_ERROR,
 /// WHIRL_NO_MEMORY.
 whirl_status arrays_open(const char *path, arrays_file **out);
+
+/// Does the same with the bytes of a file, which must outlive it. `name` stands in messages.
+whirl_status arrays_open_bytes(const void *bytes, size_t size, const char *name, arrays_file **out);
+
+/// Closes a file; accepts NULL.
 void arrays_close(arrays_file *file);
 
 /// Finds a dataset by its path, "run/x". WHIRL_BAD_INPUT with the nearest name if there is none.

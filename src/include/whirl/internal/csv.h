@@ -59,6 +59,9 @@ typedef struct csv_chosen {
 whirl_status csv_load_vectors(const char *path, const csv_chosen *chosen, size_t count, size_t most_columns,
                               csv_table *out);
 
+/// Does the same with the bytes of such a file, and all its vectors.
+whirl_status csv_read_vectors(const char *path, const void *bytes, size_t size, size_t most_columns, csv_table *out);
+
 /// Adds a column of `count` numbers, which are copied, to a table of vectors. All columns have as many.
 whirl_status csv_add_vector(csv_table *table, const char *heading, const char *unit, const char *source,
                             const double *numbers, size_t count);

@@ -19,9 +19,10 @@ typedef struct whirl_measured_table {
     whirl_fit fit;
 } whirl_measured_table;
 
-/// Reads a table from its text; `name` is the file's in messages. WHIRL_BAD_INPUT with line and column of the error, as
-/// a fit reports it; WHIRL_NO_MEMORY. Freed by whirl_measured_free. The case must outlive it.
-whirl_status whirl_measured_read(const whirl_case *object, const char *name, const char *text, size_t length,
+/// Reads the bytes of a table of comma-separated values, or of an HDF5, MAT or universal file; `name` is the file's in
+/// messages. WHIRL_BAD_INPUT with the place of the error, as a fit reports it; WHIRL_NO_MEMORY. Freed by
+/// whirl_measured_free. The case must outlive it.
+whirl_status whirl_measured_read(const whirl_case *object, const char *name, const void *bytes, size_t size,
                                  whirl_measured_table **out);
 
 /// Frees a table; accepts NULL.
