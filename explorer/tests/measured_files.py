@@ -1,7 +1,7 @@
 """Writes the columns of a table of comma-separated values as files of other formats, with the same numbers.
 
     measured_files.py TABLE.csv    writes TABLE.mat (version 5, compressed), TABLE-7.3.mat, TABLE.h5, and TABLE.uff
-                                   (58b: numbers of 8 bytes, uneven abscissas)
+                                   (58b: numbers of 8 bytes, uneven abscissas); TABLE-matrix.h5 has no vector
 """
 
 import re
@@ -37,6 +37,11 @@ with h5py.File(table.with_suffix(".h5"), "w") as file:
     for (name, unit), values in zip(columns, numbers.T):
         chunks = {"chunks": (5,), "compression": "gzip", "shuffle": True, "fletcher32": True}
         file.create_dataset(name, data=values, **chunks).attrs["unit"] = unit
+
+# HDF5: a matrix with 2^32 + 2^20 numbers, more than 32 bits count, whose first part is there.
+with h5py.File(table.with_name(table.stem + "-matrix.h5"), "w") as file:
+    matrix = file.create_dataset("x", (1 << 20, 4097), np.uint8, chunks=(4096, 4097), compression="gzip")
+    matrix[:4096] = 0
 
 # Universal file: one record for each probe, complex where it has a lag. The first column is the abscissa.
 (axis, axis_unit), *others = columns

@@ -186,6 +186,7 @@ test('MAT, HDF5 and universal files lie over the model as tables do', { skip: py
     ['flipped.h5', flip(hdf5, chunk + 8, chunk + 12)],
     ['cut.uff', universal.subarray(0, 1500)],
     ['empty.mat', ''],
+    ['matrix.h5', readFileSync(join(folder, 'orbit-matrix.h5'))],
     ['good.mat', mat],
   ]);
   await page.waitForSelector('.measured .trouble:not(:empty)');
@@ -198,6 +199,7 @@ test('MAT, HDF5 and universal files lie over the model as tables do', { skip: py
       'flipped.h5: is damaged: a checksum is wrong',
       'cut.uff: dataset 58 number 1, line 13: is cut off',
       'empty.mat: is no HDF5, MAT or universal file',
+      'matrix.h5: there is no vector of numbers, expected `columns` that choose some',
     ],
   );
   assert.deepEqual(await list(page), ['good.mat: orbit of disc, 64 instants']);
