@@ -81,6 +81,30 @@ def test_a_coast_down_over_the_time_gives_its_rate_too():
         assert found[name].value == pytest.approx(value, rel=1e-7)
 
 
+def test_raw_signals_of_a_run_up_are_tracked_and_fitted():
+    """Tests signals at 10 kHz with the times of the mark: tracking them turn by turn gives the parameters to 1e-4."""
+    first, rate = 100.0, 60.0
+    k, c, e, spot = TRUTH.values()
+
+    def slope(t, s):
+        w, angle = first + rate * t, first * t + 0.5 * rate * t * t + spot
+        force = e * (w * w - 1j * rate) * np.exp(1j * angle)
+        return [s[1], force.real - (c * s[1] + k * s[0]) / 30, s[3], force.imag - (c * s[3] + k * s[2]) / 30]
+
+    time = np.arange(0.0, 3.6, 1e-4)
+    x, _, y, _ = integrate.solve_ivp(slope, [0, 3.6], np.zeros(4), "DOP853", time, rtol=1e-11, atol=1e-16).y
+    marks = (np.sqrt(first**2 + 4 * np.pi * rate * np.arange(119)) - first) / rate
+    tracked = whirl.signals.bode(time, 1e6 * x, 1e6 * y, pulses=marks, names=["disc x", "disc y"])
+    data = {name: column[8::4] for name, column in tracked.columns("um").items()}
+    found = whirl.fit(FAN, data, UNKNOWN, noise="2 um", runup=RUN)
+    for name, value in TRUTH.items():
+        assert found[name].value == pytest.approx(value, rel=1e-4)
+    data = {name: column[8::4] for name, column in tracked.columns("um", over="time").items()}
+    assert whirl.fit(FAN, data, UNKNOWN, noise="2 um", runup=RUN)["k"].value == pytest.approx(TRUTH["k"], rel=1e-4)
+    with pytest.raises(whirl.BadInput, match="expected 'speed' or 'time'"):
+        tracked.columns(over="angle")
+
+
 def test_rows_that_a_run_does_not_have_are_refused():
     _, speed, x, y = turns()
     data = table(x, y, speed=speed)

@@ -152,6 +152,26 @@ class TrackedOrders(NamedTuple):
                 columns[f"{name} {order:g}X lag"] = _lag(vector)
         return _pandas().DataFrame(columns)
 
+    def columns(self, unit: str = "m", over: str = "speed") -> "dict[str, np.ndarray]":
+        """Returns the rows as measured numbers for :func:`whirl.fit`: ``speed [rad/s]``, ``disc x 1X [um]``,
+        ``disc x 1X lag [deg]``. The channels have names such as ``disc x``: a station and a direction.
+
+        Parameters
+        ----------
+        unit : str
+            Unit of the signals.
+        over : str
+            "speed" or, for runs that pass a speed twice, "time" from the beginning of the record; times are in s.
+        """
+        if over not in ("speed", "time"):
+            raise BadInput(f"columns are over {over!r}, expected 'speed' or 'time'")
+        columns = {"speed [rad/s]": self.speed} if over == "speed" else {"time [s]": self.time}
+        for name, vectors in zip(self.names, self.vectors):
+            for order, vector in zip(self.orders, vectors):
+                columns[f"{name} {order:g}X [{unit}]"] = np.abs(vector)
+                columns[f"{name} {order:g}X lag [deg]"] = _lag(vector)
+        return columns
+
 
 class Spectrogram(NamedTuple):
     """Spectra of windows over time. Amplitudes are zero to peak, in the unit of the signals."""
