@@ -233,19 +233,14 @@ static size_t place_first(const fit_motions *m, size_t index) {
     return i;
 }
 
-/// Computes one motion: its orbit, or its threshold or mode, and its part of the model and of the derivatives. The
-/// first motion of a run computes all of them. After a failure *lost is the index of the motion that is lost.
-static whirl_status place_compute(const fit_motions *m, size_t index, const double *values, double *slopes,
-                                  size_t *lost) {
+/// Computes one motion: its orbit, or its threshold or mode, and its part of the model and of the derivatives.
+static whirl_status place_compute(const fit_motions *m, size_t index, const double *values, double *slopes) {
     fit_place p;
     whirl_machine machine = {.system = NULL};
     whirl_orbit *orbit = NULL;
     whirl_orbit_sensitivity *derived = NULL;
     double lengths[1 + WHIRL_MAX_UNKNOWNS] = {1.0};
     fit_place_make(&p, m, index, values);
-    *lost = index;
-    if (p.motion->run)
-        return index == p.motion->run->first ? fit_run(&p, m->tried, m->model, slopes, lost) : whirl_ok();
     // A threshold or a mode, in place of a motion, has a single number.
     const size_t first = place_first(m, index);
     const whirl_fit_number *number = &m->fit->numbers[first];
@@ -279,21 +274,32 @@ static void soften(double k, size_t count, double *residual, double *derivatives
     *residual = copysign(less, *residual);
 }
 
+/// Notes that a motion is lost; the first one is reported.
+static void motions_lose(fit_motions *m, size_t index, const whirl_status *status) {
+    if (status->code == WHIRL_OK || index >= m->lost) return;
+    m->lost = index;
+    m->status = *status;
+}
+
 bool fit_motions_evaluate(void *motions, const double *values, double *residuals, double *derivatives) {
-    // Compute all motions; the first one that is lost is reported.
+    // Compute all motions, those of runs together.
     fit_motions *m = motions;
     const whirl_fit *fit = m->fit;
     const size_t count = fit->unknown_count;
     m->lost = fit->motion_count;
+    for (size_t i = 0; i < fit->motion_count; i++) {
+        if (!fit->motions[i].run || fit->motions[i].run->first != i) continue;
+        fit_place p;
+        size_t lost = i;
+        fit_place_make(&p, m, i, values);
+        const whirl_status status = fit_run(&p, m->tried, m->model, derivatives, &lost);
+        motions_lose(m, lost, &status);
+    }
 #pragma omp parallel for num_threads(m->threads) schedule(dynamic)
     for (size_t i = 0; i < fit->motion_count; i++) {
-        size_t lost;
-        const whirl_status status = place_compute(m, i, values, derivatives, &lost);
+        const whirl_status status = fit->motions[i].run ? whirl_ok() : place_compute(m, i, values, derivatives);
 #pragma omp critical(whirl_fit)
-        if (status.code != WHIRL_OK && lost < m->lost) {
-            m->lost = lost;
-            m->status = status;
-        }
+        motions_lose(m, i, &status);
     }
     if (m->goes_on && !m->goes_on(m->of)) m->status = whirl_fail(WHIRL_STOPPED, "stopped");
     if (m->lost < fit->motion_count || m->status.code == WHIRL_STOPPED) return false;

@@ -39,7 +39,6 @@ typedef struct run_work {
     whirl_analysis_set runup; ///< the analysis
     whirl_record_options record;
     whirl_layout layout;
-    double *blocks[RUN_TOGETHER];
 } run_work;
 
 /// A run among others.
@@ -211,47 +210,60 @@ static whirl_status run_make_layout(run_work *w) {
     if (status.code == WHIRL_OK)
         status = whirl_layout_new(machine.system, &w->place->batch.integrate, &w->record, w->runup, &w->layout);
     if (machine.release) machine.release(machine.owner);
-    for (size_t i = 0; i < RUN_TOGETHER && status.code == WHIRL_OK; i++) {
-        w->blocks[i] = calloc(w->layout.size + 1, sizeof *w->blocks[i]);
-        if (!w->blocks[i]) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the runs of a fit");
-    }
     return status;
 }
 
-/// Carries out runs [count, at most RUN_TOGETHER] at their values, and reads their numbers [count][w->count]; speeds
-/// and times, unless NULL, are those of the rows of the first run.
-static whirl_status run_carry(const run_work *w, run_one *all, size_t count, double *numbers, double *speeds,
-                              double *times, size_t *lost) {
+/// A group of runs that are carried together.
+typedef struct run_group {
+    run_one all[RUN_TOGETHER];
     whirl_resting points[RUN_TOGETHER];
-    whirl_status statuses[RUN_TOGETHER], status = whirl_ok();
-    const fit_motions *of = w->place->of;
-    // Make the machines.
-    size_t made = 0;
-    for (; made < count && status.code == WHIRL_OK; made++) {
-        run_one *own = &all[made];
-        fit_place_make(&own->place, of, w->run->first, own->values);
-        run_request(&own->place, w->runup, &w->record);
-        own->machine = (whirl_machine){.system = NULL};
-        own->at = (resting_place){of->study, &own->place.batch, NAN};
-        status = statuses[made] = fit_place_machine(&own->place, &own->machine);
-        if (status.code == WHIRL_OK) points[made] = resting_point_of(&own->at, &own->machine);
-    }
-    // Carry out the runs, and read their rows.
-    if (status.code == WHIRL_OK)
-        status = whirl_analyze_resting_together(count, points, &w->record, w->runup, &w->layout, w->blocks, statuses);
+    whirl_status statuses[RUN_TOGETHER];
+    double *blocks[RUN_TOGETHER];
+} run_group;
+
+/// Reads the numbers of runs that were carried out. speeds and times, unless NULL, are those of the rows of the first.
+static whirl_status run_read_all(const run_work *w, const run_group *g, size_t count, double *numbers, double *speeds,
+                                 double *times, size_t *lost) {
     const whirl_field *time = whirl_layout_field(&w->layout, WHIRL_FIELD_RUNUP_TIME);
-    size_t *rows = status.code == WHIRL_OK ? malloc((time->rows + 1) * sizeof *rows) : NULL;
-    if (status.code == WHIRL_OK && !rows) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the runs of a fit");
+    size_t *rows = malloc((time->rows + 1) * sizeof *rows);
+    whirl_status status = rows ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for the runs of a fit");
     for (size_t i = 0; i < count && status.code == WHIRL_OK; i++) {
         run_turns turns;
-        status = statuses[i];
+        status = g->statuses[i];
         if (status.code != WHIRL_OK) break;
-        run_list_turns(&w->layout, w->blocks[i], all[i].machine.length, rows, &turns);
+        run_list_turns(&w->layout, g->blocks[i], g->all[i].machine.length, rows, &turns);
         status = run_read(w, &turns, numbers + i * w->count, i == 0 ? speeds : NULL, times, lost);
     }
     free(rows);
-    for (size_t i = 0; i < made; i++)
-        if (all[i].machine.release) all[i].machine.release(all[i].machine.owner);
+    return status;
+}
+
+/// Carries out runs [count, at most RUN_TOGETHER] at their values, and reads their numbers [count][w->count].
+static whirl_status run_carry(const run_work *w, run_group *g, size_t count, double *numbers, double *speeds,
+                              double *times, size_t *lost) {
+    whirl_status status = whirl_ok();
+    // Make the machines.
+    for (size_t i = 0; i < count && status.code == WHIRL_OK; i++) {
+        run_one *own = &g->all[i];
+        fit_place_make(&own->place, w->place->of, w->run->first, own->values);
+        run_request(&own->place, w->runup, &w->record);
+        own->at = (resting_place){w->place->of->study, &own->place.batch, NAN};
+        status = fit_place_machine(&own->place, &own->machine);
+        if (status.code != WHIRL_OK) own->machine.release = NULL;
+        if (status.code == WHIRL_OK) g->points[i] = resting_point_of(&own->at, &own->machine);
+        g->blocks[i] = calloc(w->layout.size + 1, sizeof *g->blocks[i]);
+        if (status.code == WHIRL_OK && !g->blocks[i])
+            status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the runs of a fit");
+    }
+    // Carry out the runs, and read their rows.
+    if (status.code == WHIRL_OK)
+        status =
+            whirl_analyze_resting_together(count, g->points, &w->record, w->runup, &w->layout, g->blocks, g->statuses);
+    if (status.code == WHIRL_OK) status = run_read_all(w, g, count, numbers, speeds, times, lost);
+    for (size_t i = 0; i < count; i++) {
+        if (g->all[i].machine.release) g->all[i].machine.release(g->all[i].machine.owner);
+        free(g->blocks[i]);
+    }
     return status;
 }
 
@@ -266,27 +278,43 @@ static double run_choose(const whirl_fit_unknown *unknown, double value, const r
     return h;
 }
 
-/// Carries out all runs: the first at the values of the place, then those at neighbouring values. numbers
-/// [runs][count].
-static whirl_status run_all(const run_work *w, double *numbers, double *speeds, double *times, size_t *lost) {
+/// Sets the values of a run: those of the place, or neighbouring ones.
+static void run_set_values(const run_work *w, size_t run, double *values) {
     const whirl_fit *fit = w->place->of->fit;
-    const size_t runs = 1 + RUN_STENCIL * fit->unknown_count;
-    run_one *all = calloc(RUN_TOGETHER, sizeof *all);
-    whirl_status status = all ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for the runs of a fit");
-    for (size_t from = 0; from < runs && status.code == WHIRL_OK; from += RUN_TOGETHER) {
-        const size_t count = runs - from < RUN_TOGETHER ? runs - from : RUN_TOGETHER;
-        for (size_t i = 0; i < count; i++) {
-            memcpy(all[i].values, w->place->values, fit->unknown_count * sizeof *all[i].values);
-            if (from + i == 0) continue;
-            const size_t unknown = (from + i - 1) / RUN_STENCIL, node = (from + i - 1) % RUN_STENCIL;
-            const run_stencil *stencil;
-            const double h = run_choose(&fit->unknowns[unknown], w->place->values[unknown], &stencil);
-            all[i].values[unknown] += h * stencil->at[node];
+    memcpy(values, w->place->values, fit->unknown_count * sizeof *values);
+    if (run == 0) return;
+    const size_t unknown = (run - 1) / RUN_STENCIL, node = (run - 1) % RUN_STENCIL;
+    const run_stencil *stencil;
+    const double h = run_choose(&fit->unknowns[unknown], values[unknown], &stencil);
+    values[unknown] += h * stencil->at[node];
+}
+
+/// Carries out all runs, in groups on all threads: the first at the values of the place, then those at neighbouring
+/// values. numbers [runs][count].
+static whirl_status run_all(const run_work *w, double *numbers, double *speeds, double *times, size_t *lost) {
+    const size_t runs = 1 + RUN_STENCIL * w->place->of->fit->unknown_count, begun = *lost;
+    const size_t groups = (runs + RUN_TOGETHER - 1) / RUN_TOGETHER, most = (runs + groups - 1) / groups;
+    whirl_status first = whirl_ok();
+    size_t failed = groups;
+#pragma omp parallel for num_threads(w->place->of->threads) schedule(dynamic)
+    for (size_t k = 0; k < groups; k++) {
+        const size_t from = k * most, count = runs - from < most ? runs - from : most;
+        size_t row = begun;
+        run_group *g = calloc(1, sizeof *g);
+        for (size_t i = 0; i < count && g; i++) run_set_values(w, from + i, g->all[i].values);
+        const whirl_status status =
+            g ? run_carry(w, g, count, numbers + from * w->count, k == 0 ? speeds : NULL, times, &row)
+              : whirl_fail(WHIRL_NO_MEMORY, "no memory for the runs of a fit");
+        free(g);
+        // The first group that fails is reported.
+#pragma omp critical(whirl_fit)
+        if (status.code != WHIRL_OK && k < failed) {
+            failed = k;
+            first = status;
+            *lost = row;
         }
-        status = run_carry(w, all, count, numbers + from * w->count, from == 0 ? speeds : NULL, times, lost);
     }
-    free(all);
-    return status;
+    return first;
 }
 
 /// Derives the numbers by all unknowns: slopes [count][unknowns].
@@ -336,7 +364,6 @@ whirl_status fit_run(const fit_place *p, fit_orbit *tried, double *model, double
         tried[w.run->first + i].speed = speeds[i];
         tried[w.run->first + i].time = times[i];
     }
-    for (size_t i = 0; i < RUN_TOGETHER; i++) free(w.blocks[i]);
     free(numbers);
     return status;
 }
