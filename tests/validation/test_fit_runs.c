@@ -27,10 +27,12 @@ static void path_of(const char *name, char path[256]) {
 
 // ---------------------------------------------------------------- the independent rotor
 
-/// A disc of 30 kg on a spring: m x'' + c x' + k x = m e (w^2 cos + w' sin), and likewise y.
+/// A disc of 30 kg on a spring: m x'' + c x' + k x = m e (w^2 cos + w' sin), and likewise y. Beyond a gap a stator
+/// presses it back, with friction against the rotation.
 typedef struct spun {
-    double k, c, e, rate; ///< N/m, N s/m, m, rad/s2
-    double from;          ///< rad/s
+    double k, c, e, rate;            ///< N/m, N s/m, m, rad/s2
+    double from;                     ///< rad/s
+    double gap, stiffness, friction; ///< m, N/m (0: no stator), and a coefficient
 } spun;
 
 /// Parts of x and y over a turn, with its middle and its mean speed.
@@ -46,10 +48,14 @@ static double spun_speed(const spun *s, double angle) {
 static void spun_slope(const spun *s, double angle, const double x[4], double out[4]) {
     const double m = 30.0, w = spun_speed(s, angle);
     const double square = s->e * w * w, tangent = s->e * s->rate;
+    const double radius = hypot(x[0], x[2]), normal = s->stiffness * fmax(radius - s->gap, 0.0);
+    const double push = normal > 0.0 ? normal / radius / m : 0.0, pull = s->friction * push;
     out[0] = x[1] / w;
-    out[1] = ((-s->c * x[1] - s->k * x[0]) / m + square * cos(angle) + tangent * sin(angle)) / w;
+    out[1] =
+        ((-s->c * x[1] - s->k * x[0]) / m + square * cos(angle) + tangent * sin(angle) - push * x[0] + pull * x[2]) / w;
     out[2] = x[3] / w;
-    out[3] = ((-s->c * x[3] - s->k * x[2]) / m + square * sin(angle) - tangent * cos(angle)) / w;
+    out[3] =
+        ((-s->c * x[3] - s->k * x[2]) / m + square * sin(angle) - tangent * cos(angle) - push * x[2] - pull * x[0]) / w;
 }
 
 /// Carries the state over a step by the classical method of Runge and Kutta.
@@ -214,6 +220,43 @@ static void steady_motions_differ(void **unused) {
     whirl_result_free(result);
 }
 
+/// A run-up that touches a stator for a while gives its clearance, stiffness and friction.
+static void a_stator_is_found(void **unused) {
+    (void)unused;
+    static turn turns[MAX_TURNS];
+    static const char *const names[] = {"clearance", "stiffness", "friction"};
+    spun touching = truth;
+    touching.c = 600.0;
+    touching.gap = 0.2e-3;
+    touching.stiffness = 0.6e6;
+    touching.friction = 0.05;
+    spun_run(&touching, TURNS, turns);
+    write_turns("rub.csv", false, TURNS, turns, 0.0, 1);
+    whirl_result *result =
+        run_fit("whirl: 1\n"
+                "parameters: {gap: 0.22 mm, push: 0.5 MN/m, mu: 0.03}\n"
+                "rotor:\n"
+                "  speed: 100 rad/s\n"
+                "  length_scale: 1 mm\n"
+                "  stations: {disc: {mass: 30 kg, damping: 600 N s/m, eccentricity: 30 um}}\n"
+                "  elements:\n"
+                "    - shaft: {between: [disc, ground], k1: 1.2 MN/m}\n"
+                "    - rub: {at: disc, gap: = gap, stiffness: = push, friction: = mu}\n"
+                "study:\n"
+                "  fit:\n"
+                "    unknown: {gap: , push: , mu: }\n"
+                "    data:\n"
+                "      file: rub.csv\n"
+                "      noise: 1 um\n"
+                "      runup: {speed_from: 100 rad/s, speed_to: 300 rad/s, rate: 80 rad/s2, begin: centre}\n",
+                1);
+    const double values[] = {touching.gap, touching.stiffness, touching.friction};
+    for (size_t u = 0; u < 3; u++)
+        check_within("Fit to run-ups", words("a rotor that touches its stator in a run-up: error of its %s", names[u]),
+                     0.0, fabs(unknown_of(result, u)[2] / values[u] - 1.0), 1e-5);
+    whirl_result_free(result);
+}
+
 /// Solves the normal equations' inverse by Gauss and Jordan's method: a [n][n] becomes its inverse.
 static void invert(size_t n, double a[PARAMETERS][PARAMETERS]) {
     for (size_t p = 0; p < n; p++) {
@@ -297,7 +340,7 @@ static int make_folder(void **unused) {
 }
 
 static int remove_folder(void **unused) {
-    static const char *const names[] = {"speed.csv", "time.csv", "noisy.csv"};
+    static const char *const names[] = {"speed.csv", "time.csv", "noisy.csv", "rub.csv"};
     char path[256];
     (void)unused;
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
@@ -310,6 +353,6 @@ static int remove_folder(void **unused) {
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(parameters_are_found), cmocka_unit_test(steady_motions_differ),
                                        cmocka_unit_test(errors_are_those_of_the_derivatives),
-                                       cmocka_unit_test(intervals_cover)};
+                                       cmocka_unit_test(a_stator_is_found), cmocka_unit_test(intervals_cover)};
     return cmocka_run_group_tests_name("fit of run-ups", tests, make_folder, remove_folder);
 }
