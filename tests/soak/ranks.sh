@@ -62,7 +62,7 @@ runs=0
 while [ $done_kills -lt "$kills" ] || [ $runs -lt ${#kinds[@]} ]; do
     name=${kinds[$((runs % ${#kinds[@]}))]}
     refine=$([ $name = refined ] && echo --refine=1e5)
-    rm -f result.h5*
+    rm -f result.h5* result-records.csv result-datasheet.md
     for again in 1 2; do
         resume=$(journals_are_there && echo --resume || echo --force)
         perturb
