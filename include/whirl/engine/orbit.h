@@ -117,6 +117,9 @@ double whirl_orbit_distance(const whirl_system *system, const whirl_orbit *orbit
 /// Returns the number of switching functions at which contacts begin: the touches of the system's orbits.
 size_t whirl_touch_count(const whirl_system *system);
 
+/// Returns how many times the contact of a touch closes in a period; 0 if it is always closed.
+size_t whirl_touch_closings(const whirl_touch *touch);
+
 /// Calls observe at the end of each of `instants` equal parts of every segment, in turn: t in (0, period].
 /// WHIRL_BAD_INPUT if the motion cannot be followed.
 whirl_status whirl_orbit_observe(const whirl_system *system, const whirl_orbit *orbit,

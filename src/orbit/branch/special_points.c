@@ -23,17 +23,12 @@ typedef struct test {
 
 // ---------------------------------------------------------------- contacts
 
-/// Returns how many times a switching function becomes positive; 0 if it always is.
-static size_t special_risings(const whirl_touch *touch) {
-    return touch->share >= 1.0 ? 0 : touch->intervals;
-}
-
 /// Returns the extreme of the switching function nearest to zero, with a sign for the side of the graze on which the
 /// orbit is.
 static double graze_value(const test *t, const whirl_orbit *orbit) {
     const whirl_touch *touch = &orbit->touches[t->touch];
     const double size = fmin(fabs(touch->nearest), 1e30);
-    return special_risings(touch) == t->intervals ? size : -size;
+    return whirl_touch_closings(touch) == t->intervals ? size : -size;
 }
 
 // ---------------------------------------------------------------- search
@@ -150,7 +145,7 @@ static whirl_status find_all(follower *f, const waypoint *from, const waypoint *
         if (special_changes(f, &t, from, to)) status = special_find(f, &t, from, to, found);
     }
     for (size_t k = 0; k < from->orbit->touch_count && status.code == WHIRL_OK; k++) {
-        const test t = {.kind = WHIRL_GRAZE, .touch = k, .intervals = special_risings(&from->orbit->touches[k])};
+        const test t = {.kind = WHIRL_GRAZE, .touch = k, .intervals = whirl_touch_closings(&from->orbit->touches[k])};
         if (special_changes(f, &t, from, to)) status = special_find(f, &t, from, to, found);
     }
     return status;

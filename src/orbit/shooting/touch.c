@@ -29,6 +29,10 @@ size_t whirl_touch_count(const whirl_system *system) {
     return count;
 }
 
+size_t whirl_touch_closings(const whirl_touch *touch) {
+    return touch->share >= 1.0 ? 0 : touch->intervals;
+}
+
 static void slope_at(const watch *w, double t, const double *x, double *slope) {
     double forcing[WHIRL_MAX_FORCING];
     if (w->system->forcing_count > 0) w->system->forcing(w->system->model, t, forcing);

@@ -24,7 +24,6 @@ typedef struct derived {
     size_t count;                               ///< number of numbers
     whirl_spread_at numbers[WHIRL_MAX_DERIVED]; ///< places of the numbers in blocks
     double *parameters, *found, *slopes;        ///< the fields in the block
-    bool runs; ///< numbers are of run-ups, which steps of controlled error compute, not linear algebra
     /// [parameters] Least first distances from the values, above 0 for parameters that are 0; or NULL.
     const double *reaches;
 } derived;
@@ -318,14 +317,14 @@ static bool derived_is_critical(const whirl_spread_at *at) {
 /// and vary more with a parameter than those of machines at rest.
 static derived_series rest_series(const derived *d, size_t parameter) {
     const double size = fabs(d->parameters[parameter]);
-    return d->runs ? (derived_series){size / 64.0, 1e-6, 1e-3} : series_from(0.125 * size);
+    const bool runs = whirl_analysis_has(d->batch->analyses, "runup");
+    return runs ? (derived_series){size / 64.0, 1e-6, 1e-3} : series_from(0.125 * size);
 }
 
 whirl_status derived_at_rest(const whirl_study *study, const whirl_batch *batch, const resting_machine *own,
                              const whirl_layout *layout, double *block) {
     derived d;
     if (!derived_begin(&d, study, batch, own->value, own->machine.system, layout, block)) return whirl_ok();
-    d.runs = whirl_analysis_has(batch->analyses, "runup");
     derived_rest r = {.of = &d, .own = own, .block = calloc(layout->size + 1, sizeof *r.block)};
     if (!r.block) return whirl_fail(WHIRL_NO_MEMORY, "no memory for derivatives of a point");
     whirl_status status = whirl_ok();
@@ -675,11 +674,6 @@ typedef struct derived_graze {
     const whirl_orbit_options *options;
 } derived_graze;
 
-/// Returns how many times the contact of a touch closes in a period; 0 if it always is closed.
-static size_t graze_closings(const whirl_touch *touch) {
-    return touch->share >= 1.0 ? 0 : touch->intervals;
-}
-
 /// Finds the orbit of the branch at a distance from the graze.
 static whirl_status graze_orbit(const derived_graze *g, double distance, whirl_orbit **orbit) {
     const derived *d = g->of;
@@ -722,7 +716,7 @@ static whirl_status derived_by_graze(derived *d, const whirl_branch_point *point
     for (size_t side = 0; side < 2 && status.code == WHIRL_OK; side++) {
         whirl_orbit *orbit;
         status = graze_orbit(&g, side == 0 ? distance : 0.0 - distance, &orbit);
-        if (status.code == WHIRL_OK) closings[side] = graze_closings(&orbit->touches[point->touch]);
+        if (status.code == WHIRL_OK) closings[side] = whirl_touch_closings(&orbit->touches[point->touch]);
         whirl_orbit_free(orbit);
     }
     if (status.code != WHIRL_OK || closings[0] == closings[1]) return status;

@@ -345,11 +345,12 @@ static whirl_status worker_analyze(const worker *w, const point *p, const whirl_
     sample_note(work->batch, p->slot % work->batch->count, layout, block);
     if (status.code == WHIRL_OK)
         status = records_note(work->batch, p->slot % work->batch->count, &p->machine, record, layout, block);
-    whirl_batch chosen = *work->batch;
-    batch_choose(&chosen, p->slot % work->batch->count);
-    if (status.code == WHIRL_OK)
+    if (status.code == WHIRL_OK && work->batch->derivatives) {
+        whirl_batch chosen = *work->batch;
+        batch_choose(&chosen, p->slot % work->batch->count);
         status = derived_of_motion(work->run->study, &chosen, work->table->values[p->slot], &p->machine, record->end,
                                    layout, block);
+    }
     starts_note(work->batch, &start, p->machine.system, layout, block);
     refine_note(layout, block, own, spent);
     return status;
