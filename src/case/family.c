@@ -1,5 +1,7 @@
 // A case as a family of machines, and as a study.
 #include <math.h>
+#include <stddef.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -18,7 +20,7 @@ typedef struct member {
     double *influence;              ///< [stations][stations]
     double changed_speed;           ///< rad/s, of the drive without load after a change; 0: none
     course_run *course;             ///< events and laws of a run-up, or NULL
-    whirl_runup_options run;        ///< options of its own of a run
+    whirl_runup_options run;        ///< options of its run, in place of those of the batch
     bool recorded;                  ///< `run` is set
 } member;
 
@@ -146,25 +148,28 @@ static double run_length(const whirl_runup_options *options) {
     return options->duration > 0.0 || options->rate > 0.0 ? whirl_runup_duration(options) : 0.0;
 }
 
+/// Returns true if an offset is in a list, which SIZE_MAX ends.
+static bool is_offset(size_t offset, const size_t *list) {
+    while (*list != SIZE_MAX && *list != offset) list++;
+    return *list == offset;
+}
+
 /// Evaluates the numbers of a run at the parameters of its machine. The tolerance and the highest order of spectra are
 /// those of the batch, and so is whether something happens at all.
 static whirl_status run_numbers(const setting_list *keys, const whirl_runup_options *batch, valuation *v,
                                 whirl_runup_options *options) {
-    static const char *const may_vanish[] = {"runup_from", "runup_angle", "runup_settle", "runup_loss_moment",
-                                             "runup_loss_angle"};
+#define OF(member) offsetof(whirl_runup_options, member)
+    static const size_t of_batch[] = {OF(highest_order), OF(rtol), SIZE_MAX};
+    static const size_t may_vanish[] = {OF(from), OF(angle), OF(settle), OF(loss_moment), OF(loss_angle), SIZE_MAX};
+#undef OF
     whirl_runup_options own = *batch;
     *options = *batch;
     settings_take(v, keys, whirl_runup_members(), &own);
     for (const whirl_member *m = whirl_runup_members(); m->part; m++) {
-        if (m->type != WHIRL_MEMBER_NUMBER || !m->name || m->offset == offsetof(whirl_runup_options, highest_order) ||
-            m->offset == offsetof(whirl_runup_options, rtol))
-            continue;
+        if (m->type != WHIRL_MEMBER_NUMBER || is_offset(m->offset, of_batch)) continue;
         double *to = (double *)((char *)options + m->offset);
         const double number = *(const double *)((const char *)&own + m->offset);
-        bool vanishes = (number == 0.0) != (*to == 0.0);
-        for (size_t i = 0; i < sizeof may_vanish / sizeof *may_vanish; i++)
-            vanishes = vanishes && strcmp(m->name, may_vanish[i]) != 0;
-        if (vanishes)
+        if ((number == 0.0) != (*to == 0.0) && !is_offset(m->offset, may_vanish))
             return whirl_fail(WHIRL_BAD_INPUT, "%s is %.10g here and %.10g at the parameters of the case, expected %s",
                               m->key.name, number, *to, *to == 0.0 ? "0 for all runs" : "another number than 0");
         *to = number;

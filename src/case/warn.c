@@ -283,12 +283,8 @@ static bool is_differentiated(const warner *w, const char *expression, const whi
 
 /// Warns of an option that depends on what differs between the points of a batch, which all have the same option.
 static void warn_of_option(warner *w, const whirl_batch *batch, const setting *option) {
-    // Ends and values of an axis may begin at the value of the case.
-    static const char *const along[] = {"from", "to", "values", "step", "points", "at", "begin"};
     char path[160], text[WHIRL_MESSAGE_SIZE];
     const char *expression = option->key ? option->value.expression : NULL;
-    for (size_t i = 0; i < sizeof along / sizeof *along && expression; i++)
-        if (strcmp(option->key->name, along[i]) == 0) return;
     if (!expression) return;
     const bool varies = case_depends_on_batch(w->content, expression, batch);
     if (!varies && !is_differentiated(w, expression, batch)) return;
