@@ -158,8 +158,8 @@ static int figure_run(int argc, char **argv) {
                "default is the first figure. The names FIELD[:OF][:COLUMN] ('orbit/mean:disc:y'), @VALUE[:STATION] and "
                "@#NUMBER[:STATION] make figures of any field and of any point. TABLE/NAME is the figure of that table. "
                "RESULT is a result file, or a record of a run-up or coast-down (CSV, HDF5, MAT or UFF) with the "
-               "headings 'time [s]', "
-               "'keyphasor' or 'speed [rpm]', and two probes a station: 'de x [um]', or 'de 45 [um]' in degrees.",
+               "headings 'time [s]', 'keyphasor' or 'speed [rpm]', and two probes a station: 'de x [um]', or "
+               "'de 45 [um]' in degrees.",
     };
     figure_arguments arguments = {0};
     const int read = read_arguments(&argp, argc, argv, 0, &arguments);

@@ -36,12 +36,11 @@ whirl_status whirl_result_read(const char *path, whirl_result **result);
 whirl_status whirl_result_read_outline(const char *path, whirl_result **outline);
 
 /// Reads a measured record as a result: a table over the time, with commas, semicolons or tabs between values, or an
-/// HDF5, MAT or universal file. The
-/// result is that of a study `runup`, whose rows, spectra and orbits are those of the measured turns. Headings are
-/// `time [s]`; `keyphasor`, whose rising pulses are the mark, or `speed [rpm]`, whose integral is the angle from the
-/// first sample on; and two probes a station by their directions, `de x [um]`, or degrees from the x axis in the sense
-/// of rotation, `de 45 [mil]`. Lines that begin with # are comments, the first of which is the title. WHIRL_BAD_INPUT
-/// names file, line and column. The turn before the second pulse is left out.
+/// HDF5, MAT or universal file. The result is that of a study `runup`, whose rows, spectra and orbits are those of the
+/// measured turns. Headings are `time [s]`; `keyphasor`, whose rising pulses are the mark, or `speed [rpm]`, whose
+/// integral is the angle from the first sample on; and two probes a station by their directions, `de x [um]`, or
+/// degrees from the x axis in the sense of rotation, `de 45 [mil]`. Lines that begin with # are comments, the first of
+/// which is the title. WHIRL_BAD_INPUT names file, line and column. The turn before the second pulse is left out.
 whirl_status whirl_result_read_record(const char *path, whirl_result **result);
 
 /// Columns of numbers of a measured file.

@@ -2,10 +2,10 @@
 ///
 /// Each measured motion is a periodic orbit of the machine at parameters of its own. Its displacements, and the orders
 /// of them, are compared with the measured numbers. Orders may also be those of the machine while its speed changes
-/// (whirl_fit_run). Further numbers are values at which the machine loses its
-/// stability, critical speeds, and frequencies and damping ratios of modes. Levenberg and Marquardt's method minimizes
-/// the sum of squares of the differences over their noise, with the exact derivatives of the orbits, and those of
-/// thresholds and modes (whirl/engine/sensitivity.h).
+/// (whirl_fit_run). Further numbers are values at which the machine loses its stability, critical speeds, and
+/// frequencies and damping ratios of modes. Levenberg and Marquardt's method minimizes the sum of squares of the
+/// differences over their noise, with the exact derivatives of the orbits, and those of thresholds and modes
+/// (whirl/engine/sensitivity.h).
 #ifndef WHIRL_FIT_H
 #define WHIRL_FIT_H
 
