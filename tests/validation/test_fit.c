@@ -13,34 +13,13 @@
 #include <cmocka.h>
 
 #include "support_check.h"
+#include "support_fit.h"
 #include "support_flow.h"
 #include "whirl/engine.h"
 
 enum { MAX_TEXT = 8192, SAMPLES = 64 };
 
 static const double two_pi = 6.283185307179586476925;
-
-static char folder[] = "/tmp/whirl-fit-XXXXXX";
-
-static void path_of(const char *name, char path[256]) {
-    snprintf(path, 256, "%s/%s", folder, name);
-}
-
-/// Runs a case whose tables are in the folder.
-static whirl_result *run_fit(const char *text, int threads) {
-    char path[256];
-    whirl_problems problems = {0};
-    whirl_case *object = NULL;
-    whirl_result *result = NULL;
-    path_of("fit.yaml", path);
-    const whirl_status status = whirl_case_parse(text, strlen(text), path, &problems, &object);
-    if (status.code != WHIRL_OK) print_error("%s\n", problems.count > 0 ? problems.items[0].message : status.message);
-    require_ok(status);
-    whirl_problems_free(&problems);
-    require_ok(whirl_case_run(object, &(whirl_run_options){.threads = threads}, &result));
-    whirl_case_free(object);
-    return result;
-}
 
 // ---------------------------------------------------------------- the rotor of jeffcott-rub.yaml, by five numbers
 
@@ -85,7 +64,7 @@ static void write_samples(const char *name, double omega) {
     require_ok(whirl_sensitivity_new(&study, &batch, 0.05, 0.0, &by));
     require_ok(whirl_extended_new(1, &by, &extended));
     require_ok(whirl_orbit_sensitivity_new(extended, orbit, &options, SAMPLES, &samples));
-    path_of(name, path);
+    fit_path(name, path);
     FILE *file = fopen(path, "w");
     assert_non_null(file);
     fprintf(file, "angle [deg], disc x [m], disc y [m]\n");
@@ -131,7 +110,7 @@ static void rubbing_orbits(void **unused) {
     write_samples("orbit-1.csv", 0.85);
     write_samples("orbit-2.csv", 1.0);
     write_samples("orbit-3.csv", 1.15);
-    whirl_result *one = run_fit(fitted, 1), *result = run_fit(fitted, 2);
+    whirl_result *one = fit_of_text(fitted, 1), *result = fit_of_text(fitted, 2);
     const whirl_table *table = &result->tables[0];
     // Threads change no bit.
     assert_memory_equal(whirl_table_block(table, 0), whirl_table_block(&one->tables[0], 0),
@@ -180,7 +159,7 @@ static void rubbing_orbits(void **unused) {
 /// Clockwise, y leads x.
 static void write_bode(double m, double k, double c, double e, bool clockwise) {
     char path[256];
-    path_of("bode.csv", path);
+    fit_path("bode.csv", path);
     FILE *file = fopen(path, "w");
     assert_non_null(file);
     fprintf(file, "speed [rad/s], disc x [um], disc x lag [rad], disc y [um], disc y lag [rad]\n");
@@ -196,7 +175,7 @@ static void write_bode(double m, double k, double c, double e, bool clockwise) {
 static whirl_result *run_disc_with(const char *scale, const char *rotation, const char *unknown, const char *data) {
     char text[MAX_TEXT];
     snprintf(text, sizeof text, DISC, scale, rotation, unknown, data);
-    return run_fit(text, 2);
+    return fit_of_text(text, 2);
 }
 
 static whirl_result *run_disc(const char *scale, const char *rotation, const char *unknown) {
@@ -237,7 +216,7 @@ static void waveforms(void **unused) {
     char path[256];
     double gain[2];
     disc_gain(w, truth[0], gain);
-    path_of("waveform.csv", path);
+    fit_path("waveform.csv", path);
     FILE *file = fopen(path, "w");
     assert_non_null(file);
     fprintf(file, "time [ms], disc x [um], disc y [um]\n");
@@ -261,7 +240,7 @@ static void waveforms(void **unused) {
 static void write_universal(const double truth[3]) {
     enum { SPEEDS = 9 };
     char path[256];
-    path_of("bode.uff", path);
+    fit_path("bode.uff", path);
     FILE *file = fopen(path, "w");
     assert_non_null(file);
     fprintf(file, "    -1\n    58\nNONE\nNONE\nNONE\nNONE\nNONE\n");
@@ -305,7 +284,7 @@ static void write_matlab(const double truth[3], bool big) {
         size[i] = truth[2] * hypot(gain[0], gain[1]);
         lag[i] = atan2(gain[1], gain[0]);
     }
-    path_of("bode.mat", path);
+    fit_path("bode.mat", path);
     FILE *file = fopen(path, "wb");
     assert_non_null(file);
     write_variable(file, "w", speed, SPEEDS, big);
@@ -347,7 +326,7 @@ static void noise_by_probe(void **unused) {
     static const double said[2] = {36e-6, 40e-6}, noise[2] = {1e-6, 3e-6};
     char path[256];
     double top = 0.0, bottom = 0.0;
-    path_of("bode.csv", path);
+    fit_path("bode.csv", path);
     FILE *file = fopen(path, "w");
     assert_non_null(file);
     fprintf(file, "speed [rad/s], disc x [m], disc x lag [rad], disc y [m], disc y lag [rad]\n");
@@ -393,7 +372,7 @@ static void profiles(void **unused) {
     static const double noise = 60e-6, e = 38e-6, wide = 1.959963984540054;
     double measured[9][2];
     char path[256];
-    path_of("bode.csv", path);
+    fit_path("bode.csv", path);
     FILE *file = fopen(path, "w");
     assert_non_null(file);
     fprintf(file, "speed [rad/s], disc x [m], disc x lag [rad]\n");
@@ -580,7 +559,7 @@ static double write_motion(const recovered *kind, const whirl_given *given, cons
     require_ok(whirl_orbit_observe(machine.system, orbit, &options, NUMBERS, take_sample, &samples));
     for (size_t i = 0; i < samples.count; i++)
         for (size_t k = 0; k < 2; k++) largest = fmax(largest, fabs(samples.x[i][k]));
-    path_of(name, path);
+    fit_path(name, path);
     FILE *file = fopen(path, "w");
     assert_non_null(file);
     fprintf(file, "turns, %s x [m], %s y [m]\n", kind->station, kind->station);
@@ -632,7 +611,7 @@ static void recovery(void **unused) {
                      "      - {file: orbit-2.csv, at: {omega: %g rad/s}, noise: %.17g m}\n",
                      kind->machine, kind->unknown[0], kind->unknown[1], kind->unknown[2], kind->revolutions,
                      kind->speeds[0], noise[0], kind->speeds[1], noise[1]);
-            whirl_result *result = run_fit(text, 2);
+            whirl_result *result = fit_of_text(text, 2);
             const double *unknown = whirl_table_field(&result->tables[0], 0, WHIRL_FIELD_FIT_UNKNOWN, 0);
             const double *outcome = whirl_table_field(&result->tables[0], 0, WHIRL_FIELD_FIT_OUTCOME, 0);
             if ((int)outcome[0] != WHIRL_FIT_FOUND) print_error("%s %zu: end %g\n", kind->name, m, outcome[0]);
@@ -657,27 +636,10 @@ static void recovery(void **unused) {
                  100.0 * (double)named / (double)(KINDS * machines), 0.0);
 }
 
-static int make_folder(void **unused) {
-    (void)unused;
-    return mkdtemp(folder) ? 0 : -1;
-}
-
-static int remove_folder(void **unused) {
-    static const char *const names[] = {"orbit-1.csv",  "orbit-2.csv", "orbit-3.csv", "bode.csv",
-                                        "waveform.csv", "bode.uff",    "bode.mat"};
-    char path[256];
-    (void)unused;
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        path_of(names[i], path);
-        unlink(path);
-    }
-    return rmdir(folder);
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(rubbing_orbits), cmocka_unit_test(closed_forms),
                                        cmocka_unit_test(not_determined), cmocka_unit_test(recovery),
                                        cmocka_unit_test(waveforms),      cmocka_unit_test(noise_by_probe),
                                        cmocka_unit_test(profiles),       cmocka_unit_test(measured_files)};
-    return cmocka_run_group_tests_name("fit", tests, make_folder, remove_folder);
+    return cmocka_run_group_tests_name("fit", tests, fit_make_folder, fit_remove_folder);
 }

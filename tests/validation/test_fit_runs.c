@@ -13,17 +13,12 @@
 #include <cmocka.h>
 
 #include "support_check.h"
+#include "support_fit.h"
 #include "whirl/engine.h"
 
 enum { MAX_TURNS = 128, STEPS = 1024, PARAMETERS = 4 };
 
 static const double two_pi = 6.283185307179586476925;
-
-static char folder[] = "/tmp/whirl-fit-runs-XXXXXX";
-
-static void path_of(const char *name, char path[256]) {
-    snprintf(path, 256, "%s/%s", folder, name);
-}
 
 // ---------------------------------------------------------------- the independent rotor
 
@@ -110,7 +105,7 @@ static double normal(uint64_t *seed) {
 /// Writes the table of some turns over the speed or the time, with noise on both parts, m.
 static void write_turns(const char *name, bool by_time, size_t count, const turn *turns, double noise, uint64_t seed) {
     char path[256];
-    path_of(name, path);
+    fit_path(name, path);
     FILE *file = fopen(path, "w");
     assert_non_null(file);
     fprintf(file, "%s, disc x [m], disc x lag [rad], disc y [m], disc y lag [rad]\n",
@@ -146,21 +141,6 @@ static void write_turns(const char *name, bool by_time, size_t count, const turn
 static const spun truth = {.k = 1.2e6, .c = 800.0, .e = 30e-6, .rate = 80.0, .from = 100.0};
 enum { TURNS = 78 }; // up to 297 rad/s
 
-static whirl_result *run_fit(const char *text, int threads) {
-    char path[256];
-    whirl_problems problems = {0};
-    whirl_case *object = NULL;
-    whirl_result *result = NULL;
-    path_of("fit.yaml", path);
-    const whirl_status status = whirl_case_parse(text, strlen(text), path, &problems, &object);
-    if (status.code != WHIRL_OK) print_error("%s\n", problems.count > 0 ? problems.items[0].message : status.message);
-    require_ok(status);
-    whirl_problems_free(&problems);
-    require_ok(whirl_case_run(object, &(whirl_run_options){.threads = threads}, &result));
-    whirl_case_free(object);
-    return result;
-}
-
 /// Returns a row of the field of unknowns: parameter, start, found, error, half, ...
 static const double *unknown_of(const whirl_result *result, size_t u) {
     return whirl_table_field(&result->tables[0], 0, WHIRL_FIELD_FIT_UNKNOWN, 0) + 8 * u;
@@ -184,7 +164,7 @@ static void parameters_are_found(void **unused) {
                                         "    data: {file: time.csv, noise: 1 um, " RUN "}\n";
     for (int by_time = 0; by_time < 2; by_time++) {
         const double values[] = {truth.k, truth.c, truth.e, truth.rate};
-        whirl_result *result = run_fit(by_time ? over_time : over_speed, 1);
+        whirl_result *result = fit_of_text(by_time ? over_time : over_speed, 1);
         double worst = 0.0;
         for (size_t u = 0; u < 3 + (size_t)by_time; u++)
             worst = fmax(worst, fabs(unknown_of(result, u)[2] / values[u] - 1.0));
@@ -200,7 +180,7 @@ static void parameters_are_found(void **unused) {
             row++;
         }
         // Threads change no bit.
-        whirl_result *other = run_fit(by_time ? over_time : over_speed, 2);
+        whirl_result *other = fit_of_text(by_time ? over_time : over_speed, 2);
         assert_memory_equal(whirl_table_block(&result->tables[0], 0), whirl_table_block(&other->tables[0], 0),
                             result->tables[0].layout.size * sizeof(double));
         whirl_result_free(other);
@@ -214,7 +194,8 @@ static void steady_motions_differ(void **unused) {
     static turn turns[MAX_TURNS];
     spun_run(&truth, TURNS, turns);
     write_turns("speed.csv", false, TURNS, turns, 0.0, 1);
-    whirl_result *result = run_fit(FAN "    unknown: {k: , c: , e: }\n    data: {file: speed.csv, noise: 1 um}\n", 1);
+    whirl_result *result =
+        fit_of_text(FAN "    unknown: {k: , c: , e: }\n    data: {file: speed.csv, noise: 1 um}\n", 1);
     assert_true(deviation_of(result) > 5.0);
     assert_true(fabs(unknown_of(result, 0)[2] / truth.k - 1.0) > 0.02);
     whirl_result_free(result);
@@ -233,23 +214,23 @@ static void a_stator_is_found(void **unused) {
     spun_run(&touching, TURNS, turns);
     write_turns("rub.csv", false, TURNS, turns, 0.0, 1);
     whirl_result *result =
-        run_fit("whirl: 1\n"
-                "parameters: {gap: 0.22 mm, push: 0.5 MN/m, mu: 0.03}\n"
-                "rotor:\n"
-                "  speed: 100 rad/s\n"
-                "  length_scale: 1 mm\n"
-                "  stations: {disc: {mass: 30 kg, damping: 600 N s/m, eccentricity: 30 um}}\n"
-                "  elements:\n"
-                "    - shaft: {between: [disc, ground], k1: 1.2 MN/m}\n"
-                "    - rub: {at: disc, gap: = gap, stiffness: = push, friction: = mu}\n"
-                "study:\n"
-                "  fit:\n"
-                "    unknown: {gap: , push: , mu: }\n"
-                "    data:\n"
-                "      file: rub.csv\n"
-                "      noise: 1 um\n"
-                "      runup: {speed_from: 100 rad/s, speed_to: 300 rad/s, rate: 80 rad/s2, begin: centre}\n",
-                1);
+        fit_of_text("whirl: 1\n"
+                    "parameters: {gap: 0.22 mm, push: 0.5 MN/m, mu: 0.03}\n"
+                    "rotor:\n"
+                    "  speed: 100 rad/s\n"
+                    "  length_scale: 1 mm\n"
+                    "  stations: {disc: {mass: 30 kg, damping: 600 N s/m, eccentricity: 30 um}}\n"
+                    "  elements:\n"
+                    "    - shaft: {between: [disc, ground], k1: 1.2 MN/m}\n"
+                    "    - rub: {at: disc, gap: = gap, stiffness: = push, friction: = mu}\n"
+                    "study:\n"
+                    "  fit:\n"
+                    "    unknown: {gap: , push: , mu: }\n"
+                    "    data:\n"
+                    "      file: rub.csv\n"
+                    "      noise: 1 um\n"
+                    "      runup: {speed_from: 100 rad/s, speed_to: 300 rad/s, rate: 80 rad/s2, begin: centre}\n",
+                    1);
     const double values[] = {touching.gap, touching.stiffness, touching.friction};
     for (size_t u = 0; u < 3; u++)
         check_within("Fit to run-ups", words("a rotor that touches its stator in a run-up: error of its %s", names[u]),
@@ -300,9 +281,9 @@ static void errors_are_those_of_the_derivatives(void **unused) {
                 for (size_t j = 0; j < count; j++) normal_equations[i][j] += slope[i] * slope[j];
         }
     invert(count, normal_equations);
-    whirl_result *result = run_fit(FAN "    unknown: {k: , c: , e: }\n"
-                                       "    data: {file: speed.csv, at: {rate: 80 rad/s2}, noise: 1 um, " RUN "}\n",
-                                   1);
+    whirl_result *result = fit_of_text(FAN "    unknown: {k: , c: , e: }\n"
+                                           "    data: {file: speed.csv, at: {rate: 80 rad/s2}, noise: 1 um, " RUN "}\n",
+                                       1);
     double worst = 0.0;
     for (size_t p = 0; p < count; p++) {
         const double error = sqrt(normal_equations[p][p]) * values[p];
@@ -322,10 +303,11 @@ static void intervals_cover(void **unused) {
     spun_run(&truth, TURNS, turns);
     for (uint64_t i = 0; i < MACHINES; i++) {
         write_turns("noisy.csv", false, TURNS, turns, 2e-6, i);
-        whirl_result *result = run_fit(FAN "    unknown: {k: , c: , e: }\n"
-                                           "    data: {file: noisy.csv, at: {rate: 80 rad/s2}, noise: 2 um, " RUN "}\n"
-                                           "    tolerance: 1e-5\n",
-                                       2);
+        whirl_result *result =
+            fit_of_text(FAN "    unknown: {k: , c: , e: }\n"
+                            "    data: {file: noisy.csv, at: {rate: 80 rad/s2}, noise: 2 um, " RUN "}\n"
+                            "    tolerance: 1e-5\n",
+                        2);
         for (size_t u = 0; u < 3; u++, all++)
             within += fabs(unknown_of(result, u)[2] - values[u]) <= unknown_of(result, u)[4];
         whirl_result_free(result);
@@ -334,25 +316,9 @@ static void intervals_cover(void **unused) {
                  94.5, 100.0 * (double)within / (double)all, 4.5);
 }
 
-static int make_folder(void **unused) {
-    (void)unused;
-    return mkdtemp(folder) ? 0 : -1;
-}
-
-static int remove_folder(void **unused) {
-    static const char *const names[] = {"speed.csv", "time.csv", "noisy.csv", "rub.csv"};
-    char path[256];
-    (void)unused;
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        path_of(names[i], path);
-        unlink(path);
-    }
-    return rmdir(folder);
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(parameters_are_found), cmocka_unit_test(steady_motions_differ),
                                        cmocka_unit_test(errors_are_those_of_the_derivatives),
                                        cmocka_unit_test(a_stator_is_found), cmocka_unit_test(intervals_cover)};
-    return cmocka_run_group_tests_name("fit of run-ups", tests, make_folder, remove_folder);
+    return cmocka_run_group_tests_name("fit of run-ups", tests, fit_make_folder, fit_remove_folder);
 }

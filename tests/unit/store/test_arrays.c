@@ -8,6 +8,7 @@
 #include <cmocka.h>
 
 #include "foreign.h"
+#include "spoiled.h"
 #include "whirl/internal/arrays.h"
 #include "whole.h"
 
@@ -281,35 +282,6 @@ static void other_things_are_refused(void **state) {
 
 // ---------------------------------------------------------------- damage
 
-/// Reads all that there is of some bytes.
-static whirl_status read_some(void *context, const char *name, const arrays_item *item) {
-    enum { MOST = 4096 };
-    static double numbers[MOST];
-    size_t first[ARRAYS_MAX_RANK] = {0}, count[ARRAYS_MAX_RANK] = {0}, all = 1;
-    for (int i = 0; i < item->rank; i++) {
-        count[i] = item->sizes[i] < 20 ? item->sizes[i] : 20;
-        all *= count[i];
-    }
-    arrays_item found;
-    const whirl_status there = arrays_find(context, name, &found);
-    assert_true((there.code == WHIRL_OK || *there.message) && strlen(found.unit) < ARRAYS_TEXT);
-    if (all <= MOST && strlen(item->unit) < ARRAYS_TEXT) arrays_read(context, name, first, count, numbers);
-    return whirl_ok();
-}
-
-/// Reads a copy of just this size, so that sanitizers see what is read beyond its end.
-static void read_bytes(const unsigned char *bytes, size_t size) {
-    arrays_file *file;
-    unsigned char *copy = malloc(size > 0 ? size : 1);
-    assert_non_null(copy);
-    memcpy(copy, bytes, size);
-    const whirl_status status = arrays_open_bytes(copy, size, "a.h5", &file);
-    assert_true(status.code == WHIRL_OK || *status.message);
-    if (status.code == WHIRL_OK) arrays_visit(file, read_some, file);
-    arrays_close(file);
-    free(copy);
-}
-
 /// Files that are cut off anywhere, and files with changed bytes.
 static void damage_is_no_crash(void **state) {
     static const storage several[] = {
@@ -336,15 +308,12 @@ static void damage_is_no_crash(void **state) {
         H5Dclose(last);
         H5Fclose(file);
         assert_int_equal(whole_file(path, &bytes, &size).code, WHIRL_OK);
-        for (size_t length = 0; length < size; length += length < 1000 ? 7 : 131) read_bytes(bytes, length);
+        for (size_t length = 0; length < size; length += length < 1000 ? 7 : 131) spoiled_read(bytes, length, "a.h5");
         unsigned char *changed = malloc(size);
         for (int mutant = 0; mutant < MUTANTS; mutant++) {
             memcpy(changed, bytes, size);
-            for (int k = 0; k <= mutant % 4; k++) {
-                random ^= random << 13U, random ^= random >> 7U, random ^= random << 17U;
-                changed[random % size] = (unsigned char)(mutant % 3 ? random >> 40U : 0xff);
-            }
-            read_bytes(changed, size);
+            spoiled_mutate(changed, size, mutant, &random);
+            spoiled_read(changed, size, "a.h5");
         }
         free(changed);
         free(bytes);

@@ -8,6 +8,7 @@
 #include <cmocka.h>
 
 #include "foreign.h"
+#include "spoiled.h"
 #include "whirl/internal/arrays.h"
 #include "whole.h"
 
@@ -490,37 +491,6 @@ static void other_universal_files_are_refused(void **state) {
 
 // ---------------------------------------------------------------- damage
 
-/// Reads some numbers of an array.
-static whirl_status read_some(void *context, const char *name, const arrays_item *item) {
-    enum { MOST = 4096 };
-    static double numbers[MOST];
-    size_t first[ARRAYS_MAX_RANK] = {0}, count[ARRAYS_MAX_RANK] = {0}, all = 1;
-    for (int i = 0; i < item->rank; i++) {
-        count[i] = item->sizes[i] < 20 ? item->sizes[i] : 20;
-        all *= count[i];
-    }
-    arrays_item found;
-    const whirl_status there = arrays_find(context, name, &found);
-    assert_true((there.code == WHIRL_OK || *there.message) && strlen(found.unit) < ARRAYS_TEXT);
-    if (all > MOST) return whirl_ok();
-    const whirl_status status = arrays_read(context, name, first, count, numbers);
-    assert_true(status.code == WHIRL_OK || *status.message);
-    return whirl_ok();
-}
-
-/// Reads a copy of just this size, so that sanitizers see what is read beyond its end.
-static void read_bytes(const unsigned char *bytes, size_t size) {
-    arrays_file *file;
-    unsigned char *copy = malloc(size > 0 ? size : 1);
-    assert_non_null(copy);
-    memcpy(copy, bytes, size);
-    const whirl_status status = arrays_open_bytes(copy, size, "a.mat", &file);
-    assert_true(status.code == WHIRL_OK || *status.message);
-    if (status.code == WHIRL_OK) arrays_visit(file, read_some, file);
-    arrays_close(file);
-    free(copy);
-}
-
 /// Cuts a file off at every length, changes every byte in several ways, and several bytes at once.
 static void spoil(const unsigned char *bytes, size_t size) {
     enum { MUTANTS = 3000 };
@@ -528,19 +498,16 @@ static void spoil(const unsigned char *bytes, size_t size) {
     uint64_t random = 88172645463325252U;
     unsigned char *changed = malloc(size);
     assert_non_null(changed);
-    for (size_t length = 0; length < size; length++) read_bytes(bytes, length);
+    for (size_t length = 0; length < size; length++) spoiled_read(bytes, length, "a.mat");
     for (size_t i = 0; i < size * sizeof masks; i++) {
         memcpy(changed, bytes, size);
         changed[i % size] ^= masks[i / size];
-        read_bytes(changed, size);
+        spoiled_read(changed, size, "a.mat");
     }
     for (int mutant = 0; mutant < MUTANTS; mutant++) {
         memcpy(changed, bytes, size);
-        for (int k = 0; k <= mutant % 4; k++) {
-            random ^= random << 13U, random ^= random >> 7U, random ^= random << 17U;
-            changed[random % size] = (unsigned char)(mutant % 3 ? random >> 40U : 0xff);
-        }
-        read_bytes(changed, size);
+        spoiled_mutate(changed, size, mutant, &random);
+        spoiled_read(changed, size, "a.mat");
     }
     free(changed);
 }
