@@ -101,15 +101,13 @@ static void add_values(whirl_figure *figure, whirl_panel *panel, const curves *d
 /// Returns the range of the `count` quantities from `index` on, over all points. A constant quantity gets a margin
 /// larger than its rounding error, and panels of several quantities get space for their legend.
 static span figure_bearing_range(const curves *drawn, int index, int count) {
-    const double legend = count > 1 ? 0.16 : 0.0;
     span range = span_empty();
     for (size_t i = 0; i < drawn->table->count; i++)
         for (int k = 0; k < count; k++)
             span_widen(&range, figure_bearing_value(drawn, &drawn->table->points[i], index + k));
     const double size = 0.1 * fmax(fabs(range.low), fabs(range.high));
     range = span_with_margin(range, 0.06, index == -2 ? 5.0 : size);
-    range.high += legend / (1.0 - legend) * (range.high - range.low);
-    return range;
+    return count > 1 ? span_below_legend(range) : range;
 }
 
 /// Writes the label of a quantity's panel, "film (um)".

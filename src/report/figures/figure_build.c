@@ -27,6 +27,11 @@ span span_with_margin(span range, double margin, double least) {
     return (span){middle - 0.5 * width, middle + 0.5 * width};
 }
 
+span span_below_legend(span range) {
+    const double legend = 0.16; // of the panel's height
+    return (span){range.low, range.high + legend / (1.0 - legend) * (range.high - range.low)};
+}
+
 // ---------------------------------------------------------------- parts
 
 /// Makes room for one more item in an array of `count` items, whose size doubles at 0 and powers of two.

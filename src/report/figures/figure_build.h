@@ -24,6 +24,9 @@ void span_widen(span *range, double value);
 /// Returns a span widened by a margin (a share of its width) on both sides, and at least `least` wide.
 span span_with_margin(span range, double margin, double least);
 
+/// Returns a span of a panel that is extended upwards by the height of a legend within the panel.
+span span_below_legend(span range);
+
 /// Returns true if a span has any value.
 bool span_has_any(span range);
 

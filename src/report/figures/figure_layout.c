@@ -101,7 +101,7 @@ size_t figure_legend_rows(const whirl_figure *figure) {
         for (size_t s = 0; s < figure->panels[p]->count && !figure->panels[p]->keyed; s++) {
             if (!*figure->panels[p]->series[s]->name || !is_new(figure, p, s)) continue;
             longest = fmax(longest,
-                           0.65 + 0.8 * figure_text_width(figure, figure_letters(figure->panels[p]->series[s]->name)));
+                           0.65 + 0.9 * figure_text_width(figure, figure_letters(figure->panels[p]->series[s]->name)));
             count++;
         }
     const double across = fmax(floor((figure->width - 0.4) / fmax(longest, 0.1)), 1.0);

@@ -271,7 +271,6 @@ static bool runup_is_dragged(const whirl_table *table, size_t run) {
 
 /// Draws the speed of each run; for a single run the torques on the shaft too.
 static void runup_describe_shaft(const drawing *of, const figure_place *place, whirl_figure *figure) {
-    static const char *const names[] = {"motor", "load", "friction", "rotor", "drag"};
     size_t runs[MAX_RUNS];
     const whirl_table *table = place->table;
     const size_t count = runup_list_runs(table, runs);
@@ -307,8 +306,9 @@ static void runup_describe_shaft(const drawing *of, const figure_place *place, w
         const course c = runup_course_of(of, table, runs[0], false);
         runup_label_over(of, &torques->x, false);
         snprintf(torques->y.label, sizeof torques->y.label, "torque (%s)", torque->name);
-        for (size_t i = 0; i < (runup_is_dragged(table, runs[0]) ? 5 : 4); i++)
-            runup_add_line(figure, panel_named(figure, torques, WHIRL_LINE, names[i], line_colour(i + 1), 0.8), &c,
+        for (size_t i = 0; i < (runup_is_dragged(table, runs[0]) ? SHAFT_TORQUES : SHAFT_TORQUES - 1); i++)
+            runup_add_line(figure,
+                           panel_named(figure, torques, WHIRL_LINE, shaft_torque_names[i], line_colour(i + 1), 0.8), &c,
                            WHIRL_FIELD_RUNUP_TORQUE, 0, i, 1.0 / torque->size);
     }
     snprintf(figure->caption, sizeof figure->caption, "Speed of the shaft over the time%s.",

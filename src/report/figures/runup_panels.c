@@ -7,6 +7,8 @@
 #include <stdio.h>
 #include <string.h>
 
+const char *const shaft_torque_names[SHAFT_TORQUES] = {"motor", "load", "friction", "rotor", "drag"};
+
 static bool runup_is_done(const whirl_table *table, size_t point) {
     return whirl_table_done(table, point) && whirl_table_number(table, point, WHIRL_FIELD_RUNUP_END, 0) >= 0.0;
 }

@@ -7,6 +7,10 @@
 /// Largest number of runs in a figure.
 enum { MAX_RUNS = 6 };
 
+/// Names of the torques on a shaft: the columns of runup/torque.
+enum { SHAFT_TORQUES = 5 };
+extern const char *const shaft_torque_names[SHAFT_TORQUES];
+
 /// Finds the runs to draw, the first finished ones; returns their number.
 size_t runup_list_runs(const whirl_table *table, size_t runs[MAX_RUNS]);
 
