@@ -220,6 +220,11 @@ static void runup_describe_axial(const drawing *of, const figure_place *place, w
         runup_add_line(figure, panel_series(figure, lag, WHIRL_LINE, line_colour(i), 0.8), &c,
                        WHIRL_FIELD_RUNUP_AXIAL_LAG, s, 0, 1.0);
     }
+    // The lines of a single run have names of their own in each panel.
+    if (count == 1) {
+        runup_show_below_legend(panel);
+        runup_show_below_legend(amplitude);
+    }
     snprintf(
         figure->caption, sizeof figure->caption,
         "Axial displacement of %.60s while the speed changes, in the direction of growing positions: %sits least and "

@@ -33,7 +33,6 @@ static whirl_panel *turn_panel(const char *name, double height, whirl_figure *fi
     if (!panel) return NULL;
     snprintf(panel->x.label, sizeof panel->x.label, "angle of the shaft from the mark (°)");
     axis_show(&panel->x, (span){0.0, 360.0});
-    panel->keyed = true;
     return panel;
 }
 
@@ -42,15 +41,6 @@ static void turn_line(const turn_view *t, whirl_figure *figure, whirl_series *li
                       size_t columns, size_t column, double factor) {
     for (size_t k = 0; k < t->samples; k++)
         series_add(figure, line, 360.0 * (double)k / (double)t->samples, factor * values[k * columns + column]);
-}
-
-/// Shows all values of a panel, with space above them for its legend.
-static void turn_show(whirl_panel *panel) {
-    span range = span_empty();
-    for (size_t i = 0; i < panel->count; i++)
-        for (size_t k = 0; k < panel->series[i]->count; k++) span_widen(&range, panel->series[i]->y[k]);
-    const double size = 0.1 * fmax(fabs(range.low), fabs(range.high));
-    axis_show(&panel->y, span_below_legend(span_with_margin(range, 0.06, size > 0.0 ? size : 1.0)));
 }
 
 static void turn_add_motion(const turn_view *t, whirl_figure *figure) {
@@ -69,7 +59,7 @@ static void turn_add_motion(const turn_view *t, whirl_figure *figure) {
     for (size_t axis = 0; axis < (twists ? 1 : 2); axis++)
         turn_line(t, figure, panel_named(figure, panel, WHIRL_LINE, twists ? "" : names[axis], line_colour(axis), 0.7),
                   orbit, 2, axis, factor);
-    turn_show(panel);
+    runup_show_below_legend(panel);
 }
 
 static void turn_add_contacts(const turn_view *t, whirl_figure *figure) {
@@ -89,7 +79,7 @@ static void turn_add_contacts(const turn_view *t, whirl_figure *figure) {
                   turn_field(t, WHIRL_FIELD_RUNUP_ORBIT_GAP, c) + first, 1, 0,
                   whirl_shown_length(t->of->units, t->table, t->run));
     }
-    turn_show(force);
+    runup_show_below_legend(force);
     whirl_series *closed = panel_series(figure, gap, WHIRL_LINE, "#9A9A9A", 0.4);
     series_add(figure, closed, 0.0, 0.0);
     series_add(figure, closed, 360.0, 0.0);
@@ -113,7 +103,7 @@ static void turn_add_torques(const turn_view *t, whirl_figure *figure) {
         turn_line(t, figure, panel_named(figure, panel, WHIRL_LINE, shaft_torque_names[i], line_colour(i + 1), 0.7),
                   values, TORQUES, i, 1.0 / unit->size);
     }
-    if (panel) turn_show(panel);
+    if (panel) runup_show_below_legend(panel);
 }
 
 /// Adds the torques of motors, shafts, couplings and meshes, the first ones, a panel each.

@@ -20,6 +20,15 @@ size_t runup_list_runs(const whirl_table *table, size_t runs[MAX_RUNS]) {
     return count;
 }
 
+void runup_show_below_legend(whirl_panel *panel) {
+    span range = span_empty();
+    panel->keyed = true;
+    for (size_t i = 0; i < panel->count; i++)
+        for (size_t k = 0; k < panel->series[i]->count; k++) span_widen(&range, panel->series[i]->y[k]);
+    const double size = 0.1 * fmax(fabs(range.low), fabs(range.high));
+    axis_show(&panel->y, span_below_legend(span_with_margin(range, 0.06, size > 0.0 ? size : 1.0)));
+}
+
 void runup_caption_runs(const drawing *of, const whirl_table *table, size_t shown, whirl_figure *figure) {
     const size_t used = strlen(figure->caption);
     char label[UNIT_LABEL_SIZE] = "";

@@ -17,6 +17,9 @@ size_t runup_list_runs(const whirl_table *table, size_t runs[MAX_RUNS]);
 /// Notes in the caption that a figure shows the first `shown` of several runs.
 void runup_caption_runs(const drawing *of, const whirl_table *table, size_t shown, whirl_figure *figure);
 
+/// Shows all values of a panel of lines, with space above them for its legend, which is within the panel.
+void runup_show_below_legend(whirl_panel *panel);
+
 /// Labels an axis with the speed or the time and its unit. Returns the size of the unit in SI.
 double runup_label_over(const drawing *of, whirl_axis *axis, bool by_speed);
 
