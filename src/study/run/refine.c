@@ -182,7 +182,7 @@ static size_t block_size(const study_run *run, const candidate *point) {
 static whirl_status refine_remember(const study_run *run, plan *p) {
     size_t size = 0;
     for (size_t i = 0; i < p->count; i++) size += block_size(run, &p->points[i]);
-    p->before = malloc(size * sizeof *p->before);
+    p->before = malloc((size + 1) * sizeof *p->before);
     if (!p->before) return whirl_fail(WHIRL_NO_MEMORY, "no memory to refine %zu points", p->count);
     double *to = p->before;
     for (size_t i = 0; i < p->count; i++) {
