@@ -141,7 +141,7 @@ test('a drag encloses a rectangle, a range or heights alone; Back returns', asyn
   await close();
 });
 
-test('keys and Pan move over heights', async () => {
+test('keys and Pan enlarge and shift the vertical range', async () => {
   const { page, complaints, close } = await fanPage();
   const box = await boxOf(page, CARD);
   const whole = await axis(page, CARD);

@@ -73,7 +73,7 @@ static const whirl_kind torus = {.name = "torus",
              "measures to check a verdict: 0-1 test, correlation, settling, largest Floquet multiplier",               \
              "Gottwald, Melbourne 2009 (0-1 test); docs/theory.md", ON_DEMAND)                                         \
     analysis(floquet,                                                                                                  \
-             "the orbit that a motion has come to rest on, by Newton's method, and all its Floquet multipliers",       \
+             "the orbit that a motion has settled on, by Newton's method, and all its Floquet multipliers",            \
              "Floquet 1883; docs/theory.md", ON_DEMAND)                                                                \
     analysis(trace, "orbits and equilibria along a branch, stable or not: multipliers, special points, contacts",     \
              "Keller 1977; Kuznetsov 2004; docs/theory.md", TRACED)                                                    \

@@ -75,7 +75,7 @@ bool plan_check_free(case_reader *reader, const file_node *where, const paramete
     char shown[SHOWN_SIZE];
     if (!own->value.expression) return true;
     problem_at_key(reader->problems, where,
-                   "is = %s in the case, expected a parameter with a number of its own, on which others depend",
+                   "is = %s in the case, expected a parameter with a number of its own, not an expression",
                    text_shown(own->value.expression, shown));
     return false;
 }

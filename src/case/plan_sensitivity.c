@@ -38,7 +38,7 @@ void sensitivity_read(case_reader *reader, plan_parts *parts) {
             problem_at(reader->problems, one, "%s is no parameter, %s", node_shown(one, shown), advice);
         } else if (all->items[index].value.expression) {
             problem_at(reader->problems, one,
-                       "is = %s in the case, expected a parameter with a number of its own, on which others depend",
+                       "is = %s in the case, expected a parameter with a number of its own, not an expression",
                        text_shown(all->items[index].value.expression, shown));
         } else {
             own->places[own->count] = one;

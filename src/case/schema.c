@@ -69,7 +69,7 @@ static const whirl_key study_keys[] = {
     CHOICE_KEY("map", OPTIONAL, "", "points of a plane of two parameters: see map"),
     CHOICE_KEY(
         "basin", OPTIONAL, "",
-        "starts in a plane of two parameters of the initial state, and the motions that they come to rest on: see map"),
+        "starts in a plane of two parameters of the initial state, and the motions that they settle on: see map"),
     CHOICE_KEY("branch", OPTIONAL, "",
                "orbits along one parameter, stable or not, and where and why they change; alone or together with a "
                "sweep: see branch"),
@@ -416,7 +416,7 @@ const whirl_group schema_response = PART("response", "one point: no keys", NULL)
 const whirl_group schema_sweep = GROUP("sweep", "points along one parameter", sweep_keys, NULL);
 const whirl_group schema_map = GROUP("map", "points of a plane of two parameters", map_keys, NULL);
 const whirl_group schema_basin =
-    GROUP("basin", "starts in a plane, and the motions that they come to rest on", map_keys, NULL);
+    GROUP("basin", "starts in a plane, and the motions that they settle on", map_keys, NULL);
 const whirl_group schema_axis = GROUP("axis", "the values of a parameter, along x or y of a map", axis_keys, NULL);
 // Keys of a study at rest, by the last word of its line in WHIRL_STUDIES_AT_REST.
 #define STILL resting_keys

@@ -29,8 +29,8 @@ typedef struct readings_table {
     file_node *list;
 } readings_table;
 
-/// Reads a cell up to the next separator, without surrounding blanks and quotes, into `text` [size], and its beginning.
-/// Moves *at past it; returns false at the end of the line.
+/// Reads a cell up to the next separator into `text` [size], without surrounding blanks and quotes. Sets *first to the
+/// cell's first character in the line, and moves *at past the cell. Returns false at the end of the line.
 static bool take_cell(const readings_table *table, const char **at, const char *end, char *text, size_t size,
                       const char **first) {
     const char *from = *at, *to;

@@ -4,7 +4,8 @@
 
 #include "machine.h"
 
-/// Adds a joint; or adds a piece of a shaft to the joint of its stretch between two stations.
+/// Adds a joint. A piece of a shaft (`piece`) joins the existing joint between the same two stations, if there is one:
+/// both are springs in series.
 static void train_add(whirl_model *to, const whirl_model_joint *own, bool piece) {
     for (size_t i = 0; i < to->joint_count && piece; i++) {
         whirl_model_joint *same = &to->joints[i];

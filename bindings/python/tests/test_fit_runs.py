@@ -1,4 +1,5 @@
-"""Tests that fits of run-ups recover the parameters of a rotor that SciPy integrates, where steady motions do not."""
+"""Tests that fits of run-ups recover the parameters of a rotor that SciPy integrates, and fits of its steady motions
+do not."""
 
 import numpy as np
 import pytest

@@ -97,7 +97,7 @@ export function mapNumbersOf(
   const { label } = found;
   if (id === 'exponent') {
     const most = Math.min(MAX_EXPONENT, Math.max(-low, high) || MAX_EXPONENT);
-    const clipped = low < -most || high > most ? `${label}, stronger ones alike` : label;
+    const clipped = low < -most || high > most ? `${label}, colours end at \u00b1${most}` : label;
     return { label: clipped, numbers, palette: 'around', low: -most, high: most, logarithmic: false };
   }
   const from = id === 'contact' ? 0 : low;

@@ -299,7 +299,7 @@ export class RunView {
   }
 }
 
-/// Returns the time that is shown first: that of the largest motion.
+/// Returns the time that is shown first: that of the largest motion of the first station.
 function firstTime(run: RunUp): number {
   const radius = run.column(FIELD.RUNUP_RADIUS, 0);
   const best = run.rows.reduce(

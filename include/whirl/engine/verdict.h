@@ -143,7 +143,7 @@ typedef struct whirl_survival {
 /// Follows perturbed copies of a chaotic motion, from states of its section displaced by a millionth of its size.
 /// Counting begins when they have separated at the rate `exponent` (natural logarithm per revolution, above 0). It goes
 /// on for enough revolutions to exclude mean lives below 12,800 revolutions and below four times the watched
-/// revolutions. A copy ends when it is lost, comes to rest, or becomes regular. If none ends, mean lives below a third
+/// revolutions. A copy ends when it is lost, settles, or becomes regular. If none ends, mean lives below a third
 /// of the revolutions are excluded at 95 %. WHIRL_BAD_INPUT if the motion has too few sections, WHIRL_NO_MEMORY.
 whirl_status whirl_record_survival(const whirl_system *system, const whirl_integrate_options *integrate,
                                    const whirl_record *record, double exponent, whirl_survival *survival);

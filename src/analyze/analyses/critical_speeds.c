@@ -20,7 +20,7 @@ static size_t looked_up(const block_shape *shape) {
 
 static const field_plan fields[FIELD_COUNT] = {
     [SPEED] = {WHIRL_FIELD_CRITICAL_SPEEDS_SPEED, "rad/s",
-               "speed of the shaft at which a lateral mode goes round with it, rising", WHIRL_PER_POINT, 1,
+               "speed of the shaft at which a lateral mode goes round with it, in rising order", WHIRL_PER_POINT, 1,
                critical_speeds_kept},
     [DIRECTION] = {WHIRL_FIELD_CRITICAL_SPEEDS_DIRECTION, "1",
                    "1: circles with the rotation, -1: against it, 0: neither", WHIRL_PER_POINT, 1,
@@ -29,7 +29,7 @@ static const field_plan fields[FIELD_COUNT] = {
                     WHIRL_PER_POINT, 1, NULL},
     [BEARINGS] =
         {WHIRL_FIELD_CRITICAL_SPEEDS_BEARINGS, "N/m",
-         "kxx, kyy (of the bearings there, at the lowest of these speeds; missing unless springs replace them)",
+         "kxx, kyy (of the machine's own bearings there, at each of the lowest critical speeds; with bearings: yes)",
          WHIRL_PER_STATION, 2, looked_up},
     [SHAPE] =
         {WHIRL_FIELD_CRITICAL_SPEEDS_SHAPE, "1",

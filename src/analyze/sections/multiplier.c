@@ -13,7 +13,8 @@ static double multiplier_coordinate(const section *all, size_t n, size_t k, size
     return all->points[(n + k) * all->dimension + i] - all->points[n * all->dimension + i];
 }
 
-/// Products of returns d(n), d(n + k), d(n + 2k), each triple over the square of the first.
+/// Sums of the products of d(n), d(n + k) and d(n + 2k) over all returns n; the products of each n are divided by
+/// |d(n)|^2.
 typedef struct products {
     size_t count;
     double p[3][3];

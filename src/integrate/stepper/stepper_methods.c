@@ -63,7 +63,7 @@ static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_pertu
     const bool halts = !c->slot || (perturbations && perturbations->at_instants);
     int instant = 1;
     c->observed = c->slot && observe;
-    c->eager = perturbations != NULL; // they take the slopes' memory
+    c->eager = perturbations != NULL; // perturbations use the memory of the interpolant's slopes
     c->halts = c->slot && halts;
     whirl_motion motion = stepper_begin_motion(integrator, x, perturbations);
     while (motion == WHIRL_BOUNDED && c->t < period && !is_cut_short(integrator)) {
@@ -83,8 +83,8 @@ static void stepper_end(whirl_integrator *integrator) {
     stepper_free(integrator->workspace);
 }
 
-/// Returns the work in right-hand sides: a step takes ten, a Jacobian of as many as there are coordinates, and the
-/// solution of its equations (measured).
+/// Returns the work of all steps, in evaluations of the right-hand side. A step of n coordinates counts as 10 for its
+/// stages, n for its Jacobian, and n^2/100 for the solution of its equations (measured).
 static double rodas5p_work(const whirl_integrator *integrator) {
     const double n = (double)integrator->system->dimension;
     return (double)((const stepper *)integrator->workspace)->tried * (10.0 + n + 0.01 * n * n);

@@ -32,10 +32,11 @@ static void find_basin(const finder *of) {
     if (status.code != WHIRL_OK) return;
     // Add a row for each attractor.
     whirl_sheet *sheet = find_sheet(of, "attractors", "Attractors");
-    sheet->about = find_text(of->findings,
-                             "Motions that the starts come to rest on%s. Errors are those of as many starts drawn at "
-                             "random.",
-                             count > MAX_ATTRACTORS ? ", the largest of them" : "");
+    sheet->about =
+        find_text(of->findings,
+                  "Motions that the starts settle on%s. Errors are the standard errors of as many independent "
+                  "random starts.",
+                  count > MAX_ATTRACTORS ? "; those with the most starts are listed" : "");
     sheet_column(of, sheet, "attractor", "attractor", WHIRL_QUANTITY_NUMBER, 6);
     sheet_texts(of, sheet, "motion", "motion");
     sheet_column(of, sheet, "starts", "starts", WHIRL_QUANTITY_NUMBER, 9);
@@ -119,9 +120,10 @@ static const char *starts_about(const finder *of) {
     const whirl_table *source = of->table->source;
     return find_text(
         of->findings,
-        "Every point was started from %zu states: the initial state and %zu that fill their ranges. %sAttractors of "
-        "neighbouring points have one number where each is the nearest of the other and the motion changes by less "
-        "than half of its extent%s. Errors are those of as many starts drawn at random.",
+        "Every point was started from %zu states: the initial state and %zu that fill the ranges of the starts. "
+        "%sAttractors of neighbouring points have one number where each is the nearest of the other and the motion "
+        "changes by less than half of its extent%s. Errors are the standard errors of as many independent random "
+        "starts.",
         source->starts, source->starts - 1,
         source->neighbours > 0
             ? "If a neighbouring point had an attractor that none of these starts reached, the point "
@@ -164,7 +166,7 @@ static double *places_of(const finder *of, size_t places) {
     return found;
 }
 
-/// States where several attractors exist; along one parameter with the ranges.
+/// Adds the statement of how many points have several attractors; along one parameter also the ranges of its values.
 static void state_places(const finder *of) {
     enum { MAX_RANGES = 8 };
     const size_t places = whirl_table_places(of->table->source);

@@ -198,8 +198,8 @@ static void find_lowest(const finder *of, const mode_lines *lines, const size_t 
     find_sheet_end(of);
 }
 
-/// Adds the sheet of the shapes of torsional or axial modes at a point, by their field of twists or axial
-/// displacements.
+/// Adds the sheet of the shapes of torsional or axial modes (`way`) at a point. `field` is the name of the field that
+/// holds their twists or their axial displacements.
 static void find_shapes(const finder *of, const mode_lines *lines, size_t point, int way, const char *field) {
     const bool torsional = way == MODE_TORSIONAL;
     const whirl_field *shape = whirl_layout_field(&of->table->layout, field);

@@ -128,8 +128,8 @@ static whirl_status journal_ratio(const key_value *values, const assembly *to, d
     if (!values[PADS_FROM].given) return whirl_ok();
     const assembly_station *housing = &to->stations[values[PADS_FROM].station[0]];
     if ((housing->shaft == NO_SHAFT && !housing->lumped) || housing->ratio == 0.0) return whirl_ok();
-    return whirl_fail(WHIRL_BAD_INPUT, "has its pads on a shaft that turns, expected a housing that does not; film has "
-                                       "a housing_ratio");
+    return whirl_fail(WHIRL_BAD_INPUT, "has its pads on a shaft that turns, expected a housing that does not turn; use "
+                                       "film with housing_ratio if it does");
 }
 
 /// Returns the scale of a film's force, mu omega R L (R/c)^2, N.
@@ -138,9 +138,9 @@ static double strength_of(const key_value *values, double viscosity, double spee
     return viscosity * speed * values[PADS_RADIUS].number * values[PADS_LENGTH].number * share * share;
 }
 
-/// Least dampers of pads, since films may carry nothing. least_damper: as a share of 2 times the scale of the film's
-/// moment. soonest: without inertia, also the least angle of the shaft, rad, in which a spring returns a pad. Otherwise
-/// a pad that lost its film would keep its rate of tilt until its edge is in the journal.
+/// Least damping of a pad's tilt. Without it, a pad that lost its film would keep its rate of tilt until its edge is in
+/// the journal. least_damper is in units of mu R^3 L (R/c)^2/c. soonest, for pads without inertia that have a spring,
+/// is the least angle, rad, by which the shaft turns while the spring returns the pad.
 static const double least_damper = 3e-4, soonest = 0.1;
 
 static void put_tilts(const key_value *values, const assembly *to, double turn, double strength, double *number) {
@@ -189,7 +189,8 @@ whirl_status pads_build(const key_value *values, bool tilting, assembly *to, ele
             whirl_fail(WHIRL_BAD_INPUT, "is %.3g times as long as its diameter, expected 0.02 to 20", bearing.ratio);
     if (status.code == WHIRL_OK) status = oil_viscosity(&own, &viscosity);
     if (status.code == WHIRL_OK && bearing.turbulence != WHIRL_LAMINAR && !values[PADS_OIL + OIL_DENSITY].given)
-        status = whirl_fail(WHIRL_BAD_INPUT, "is turbulent by an unknown Reynolds number, expected the oil's density");
+        status =
+            whirl_fail(WHIRL_BAD_INPUT, "has turbulence and an unknown Reynolds number, expected the oil's density");
     if (status.code == WHIRL_OK) status = element_in_housing(&values[PADS_AT], &values[PADS_FROM], to, out);
     if (status.code != WHIRL_OK) return status;
     // Compute the scales: sense of rotation, strength of the film, Reynolds number of the table.
@@ -272,7 +273,8 @@ void pads_note(const element *own, double length, double clock, char *text, size
         own->law);
 }
 
-/// Returns the clearance. Around fixed pads the journal can move at least that far in every direction.
+/// Returns the clearance as assembled, c (1 - preload). Around fixed pads the journal can move at least that far in
+/// every direction.
 double pads_clearance(const element *own) {
     const double *pad = own->number + PADS_FIRST;
     return (1.0 - hypot(pad[PAD_SHIFT_X], pad[PAD_SHIFT_Y])) / own->number[PADS_OVER_CLEARANCE];

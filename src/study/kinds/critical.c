@@ -159,7 +159,7 @@ static whirl_status critical_close_in(search *s, double a, double fa, double b, 
             *found = fabs(fc) <= jump;
             return status;
         }
-        // Both ends are so near the zero that only rounding is left.
+        // The value at c is so near zero that only rounding is left.
         if (fabs(fc) <= 1e-13 * (fabs(s->at.frequency) + fabs(s->at.speed)) && s->mode != SIZE_MAX) {
             *found = true;
             return status;

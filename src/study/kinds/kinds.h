@@ -1,5 +1,5 @@
-/// Kinds of points that studies compute (whirl_kind), and how each is computed and shared: one file of this folder and
-/// one line of the registry.
+/// Kinds of points that studies compute (whirl_kind), and how points of each kind are computed and shared. A new kind
+/// is a file of this folder, and an entry in the registry (kinds.c).
 #ifndef STUDY_KINDS_H
 #define STUDY_KINDS_H
 
@@ -13,7 +13,8 @@
 
 typedef struct study_kind {
     const char *name; ///< name of its whirl_kind
-    size_t piece;     ///< points of a piece (shared or dealt as a whole), unless points are carried; 0: all
+    size_t piece; ///< points of a piece, which one run or shard computes as a whole; 0: all. In a carried sweep a piece
+                  ///< is a whole direction instead
     size_t (*piece_of)(const whirl_batch *batch); ///< returns `piece` of a batch; NULL: the same for all
     /// Computes the points of a pass, on all threads. The tracker reports errors and stops. WHIRL_NO_MEMORY. NULL:
     /// the main loop (run/passes.c) computes the points, which are motions, together with those of other passes.

@@ -134,7 +134,7 @@ static void problems_of_distributions(void **state) {
     expect_wrong(
         "    parameters: {f: 1 +- 5 %}\n",
         "t:13:18: study.tolerances.parameters.f: is = 2*n in the case, expected a parameter with a number of its "
-        "own, on which others depend");
+        "own, not an expression");
     expect_wrong("    parameters: {omega: +- 5 %}\n",
                  "t:13:18: study.tolerances.parameters.omega: is a parameter that the "
                  "study varies or sets itself, expected another one");

@@ -120,8 +120,8 @@ static whirl_status load_scale(const key_value *values, const assembly *to, doub
     if (values[LOAD].given && oily)
         return whirl_fail(WHIRL_BAD_INPUT, "has both load and viscosity, radius or length, expected one way");
     if (values[TURBULENCE].choice && (values[LOAD].given || !values[OIL + OIL_DENSITY].given))
-        return whirl_fail(WHIRL_BAD_INPUT, "is turbulent by an unknown Reynolds number, expected viscosity, density, "
-                                           "radius and length");
+        return whirl_fail(WHIRL_BAD_INPUT, "has turbulence and an unknown Reynolds number, expected viscosity, "
+                                           "density, radius and length");
     // Use the load, which is proportional to the speed.
     *load = values[LOAD].number;
     if (values[LOAD].given && to->speed == 0.0)
