@@ -22,7 +22,7 @@ typedef struct block_shape {
     const whirl_record_options *options;
 } block_shape;
 
-/// A field before the sizes are known.
+/// Description of a field, made before the numbers of its rows are known.
 typedef struct field_plan {
     const char *name; ///< a name of whirl/engine/fields.h
     const char *unit; ///< as whirl_field.unit

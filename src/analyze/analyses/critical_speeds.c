@@ -7,7 +7,7 @@
 
 enum { SPEED, DIRECTION, RIGID_BODY, SHAPE, BEARINGS, FIELD_COUNT };
 
-/// Number of lowest critical speeds at which the bearings' stiffness is evaluated.
+/// Number of critical speeds, the lowest ones, at which the bearings' stiffness is evaluated.
 enum { LOOKED_UP = 6 };
 
 static size_t critical_speeds_kept(const block_shape *shape) {

@@ -49,8 +49,7 @@ static double smooth_mean(const double *values, size_t count) {
     return sum / weights;
 }
 
-/// Returns the mean of all values. Its error is the difference of that mean from the mean of one half, the larger of
-/// the two.
+/// Returns the mean of all values. Its error is the larger one of its two differences from the means of the halves.
 static whirl_estimate compare_halves(double (*mean)(const double *, size_t), const double *values, size_t half) {
     const double all = mean(values, 2 * half);
     return (whirl_estimate){all, fmax(fabs(mean(values, half) - all), fabs(mean(values + half, half) - all))};
@@ -94,8 +93,8 @@ bool follows_all(const whirl_record *record) {
     return record->growths && record->growth_count > 0 && record->motion == WHIRL_BOUNDED;
 }
 
-/// Sorts exponents, largest first. Those of coordinates that turn, zeros that do not belong to the motion, stay at the
-/// end.
+/// Sorts exponents, largest first. Exponents of coordinates that turn stay at the end: they are zeros that say nothing
+/// about the motion.
 static void growth_sort(const whirl_record *record, whirl_estimate *exponents) {
     const size_t steady = record->dimension - turns_count(record->turns, record->dimension);
     for (size_t k = 1; k < steady; k++)

@@ -402,8 +402,8 @@ static void runup_fill_station(const filling *f, const runup_turn *turn, size_t 
     runup_fill_orders(f, own, probe, own->radius, f->way < 0.0, orders, f->row);
 }
 
-/// Fills in the axial displacement of a station over a turn: that of a probe, from 0 among those of axial
-/// displacements.
+/// Fills in the axial displacement of a station over a turn. `index` counts the stations that move along their shafts,
+/// from 0.
 static void runup_fill_axial(const filling *f, const runup_turn *turn, size_t index) {
     const runup_station *own = &turn->stations[f->system->probe_count + index];
     const size_t station = f->system->axial_stations[index];
@@ -567,15 +567,15 @@ static double runup_lowest_speed(const whirl_resting *point, const whirl_runup_o
     return o->rate > 0.0 && o->to == 0.0 ? o->from : fmin(o->from, o->to);
 }
 
-/// Returns the course of shaft k with a speed of its own: without one it keeps the speed of its key.
+/// Returns the course of shaft k with a speed of its own. A shaft without a course keeps the speed that its key gives.
 static whirl_spool_course runup_spool_course(const whirl_resting *point, size_t k) {
     const double speed = point->system->spools[k].speed;
     if (point->course && k < point->course->spool_count) return point->course->spools[k];
     return (whirl_spool_course){.law = WHIRL_SPOOL_RATE, .from = speed, .highest = speed};
 }
 
-/// Finds the state at which the run begins: start [*count], displacements and velocities by time, in which `unit` is
-/// the unit of speed.
+/// Finds the state at which the run begins: start [*count], displacements, and velocities divided by `unit`, the unit
+/// of speed in rad/s.
 static whirl_status runup_find_start(const whirl_resting *point, const whirl_runup_options *o, double unit,
                                      double *start, size_t *count) {
     whirl_machine machine;
@@ -907,7 +907,7 @@ static whirl_status runup_fill_measured(const whirl_resting *point, const whirl_
     whirl_status status =
         radius && stations ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for the turns of a record");
     if (status.code == WHIRL_OK) status = runup_views_new(view, o, point->system, 0, 0, f.duration, &f.views);
-    // Show each turn of the record as one of a run; a record has no torques.
+    // Treat each turn of the record like a turn of a computed run; a record has no torques.
     for (size_t n = 0; n < m->turns && status.code == WHIRL_OK; n++) {
         const double begin = m->time[n * m->samples], end = m->end[n];
         runup_read_turn(&f, m, n, stations);

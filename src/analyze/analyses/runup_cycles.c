@@ -9,8 +9,8 @@
 /// Maximum number of turning points of a torque that are kept. A run with more has no count of cycles.
 enum { MAX_TURNING_POINTS = 4000000 };
 
-/// Appends a value. It replaces the last value if it continues in the direction of the last two. Returns false without
-/// memory.
+/// Appends a value. If the history goes on rising or falling from its last two values to the new one, the new value
+/// replaces the last one. Returns false without memory.
 static bool cycles_add(runup_history *to, double value) {
     const size_t n = to->count;
     const bool on = n >= 2 && (to->values[n - 1] - to->values[n - 2]) * (value - to->values[n - 1]) >= 0.0;
@@ -39,7 +39,8 @@ bool runup_cycles_note(runup_history *histories, size_t torques, double time, co
         runup_history *own = &histories[t];
         const bool idle = torque[t] == 0.0;
         if (own->count == 0) own->began = time;
-        // If one of two successive instants has no torque, half of the time between them counts as without torque.
+        // The time between two successive instants counts as without torque: half of it if one of them has no torque,
+        // all of it if neither has.
         own->open += 0.5 * (time - own->began - own->time) * ((own->idle && own->count > 0) + idle);
         own->time = time - own->began;
         own->idle = idle;

@@ -96,12 +96,12 @@ typedef struct runup_views {
     const whirl_system *system;
     double duration;      ///< s, of the whole run
     bool clockwise;       ///< sense of rotation
-    turn_samples samples; ///< of the turn, with those of axial displacements; numbers are NULL if no view is wanted
+    turn_samples samples; ///< of the present turn, axial displacements included; numbers are NULL if no view is wanted
     turn_history history;
     double *memory;         ///< x and y of a spectrum
     size_t spectra, orbits; ///< number of spectra and orbits that are filled, or whose time has passed
     size_t turns, events;   ///< complete turns, and turns with an event, so far
-    double *largest;        ///< [probes + contacts] radius or force so far
+    double *largest;        ///< [probes + contacts] largest radius or force so far
     /// [WHIRL_RUNUP_WAVEFORMS][probes + contacts] turn whose end completes a waveform; 0: none.
     size_t *due;
 } runup_views;
@@ -131,9 +131,9 @@ typedef struct runup_history {
 /// Notes torques [torques] at a time, s, that follows the last one. Returns false without memory.
 bool runup_cycles_note(runup_history *histories, size_t torques, double time, const double *torque);
 
-/// Counts cycles by rain flow: out [torques][RUNUP_CLASSES][2] as in the field runup/cycles, and sums up the damage of
-/// those with an S-N curve, damage [torques][2] as in runup/damage. first: index of the first torque that is a path of
-/// the system's torsion. WHIRL_NO_MEMORY.
+/// Counts cycles by rain flow: out [torques][RUNUP_CLASSES][2] as in the field runup/cycles. Sums up the damage of
+/// torques with an S-N curve: damage [torques][2] as in runup/damage. first: index of the first torque that is a path
+/// of the system's torsion. WHIRL_NO_MEMORY.
 whirl_status runup_cycles_count(const runup_history *histories, size_t torques, const whirl_system *system,
                                 size_t first, double *out, double *damage);
 /// Writes the turning points so far to an archive, or reads them from it.

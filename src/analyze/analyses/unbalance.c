@@ -59,7 +59,8 @@ static void unbalance_look(const double *x, const double *y, double c, double s,
     *lag = *amplitude > 0.0 ? fmod(360.0 - atan2(imaginary, real) / degree, 360.0) : (double)NAN;
 }
 
-/// Computes what a probe at `angle` reads with the runout of order 1 added, which is v exp(-i way angle).
+/// Computes the readings of both probes, the first one at `angle`, with the shaft's runout of order 1, v exp(-i way
+/// angle), added to the motion.
 static void look_at_surface(const block_view *view, size_t which, const whirl_probe *probe, const double *x,
                             const double *y, double angle) {
     double *amplitude = view_numbers(view, SEEN, which), *lag = view_numbers(view, SEEN_LAG, which);
@@ -78,7 +79,7 @@ static void look_at_surface(const block_view *view, size_t which, const whirl_pr
     }
 }
 
-/// Fills in a station's fields. way: sense of its probe.
+/// Fills in a station's fields. angle: of the first probe. way: 1 if the shaft turns counter-clockwise, else -1.
 static void fill_station(const block_view *view, size_t which, const double *x, const double *y, double angle,
                          double way) {
     double *amplitude = view_numbers(view, AMPLITUDE, which), *lag = view_numbers(view, LAG, which);

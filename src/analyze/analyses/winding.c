@@ -27,7 +27,7 @@ static const double constant_share = 0.95, lasting_share = 0.95;
 /// The path of one station.
 typedef struct path {
     size_t count;
-    double way; ///< sense of its probe
+    double way; ///< 1 if the shaft turns counter-clockwise, else -1
     const double *x, *y;
     double centre[2];
     double reach;     ///< square of the largest distance from the centre of the path

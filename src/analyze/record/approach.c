@@ -14,20 +14,23 @@
 /// Longest orbit that is searched while a motion settles: two of its returns must fit into the kept states.
 enum { MAX_REPEATS = 40 };
 
-/// A search starts when returns are within `near_enough` of the state's size, after they have shrunk by `has_shrunk`.
+/// Newton's method is tried if returns are within `near_enough` of the state's size, and have shrunk to `has_shrunk` of
+/// the returns before.
 static const double near_enough = 3e-3, has_shrunk = 0.75;
 
-/// Largest correct difference of a return from its prediction, as a share of the distance by which the return shortens.
+/// A return agrees with its prediction if they differ by at most this share of the distance by which the return
+/// shortens.
 static const double safety = 0.5;
 
-/// Number of returns that must be predicted correctly, and by how much they must have shortened the distance.
+/// Number of consecutive returns that must agree with their predictions, and the share to which they must have reduced
+/// the distance.
 static const size_t fewest_returns = 3;
 static const double nearer = 0.5;
 
 struct approach {
     const whirl_system *system;
     const whirl_record_options *options;
-    double noise;           ///< noise of the map over the state's size: uncertainty of a revolution's end
+    double noise;           ///< uncertainty of the state after a revolution, over the state's size
     int next;               ///< first revolution of the next attempt by Newton's method
     double spent;           ///< revolutions by Newton's method
     orbit_search *orbit;    ///< NULL: no stable one was found
@@ -36,7 +39,7 @@ struct approach {
     double far;             ///< distance before the first of these returns
     double last;            ///< present distance
     double begun;           ///< distance when the orbit was found
-    double least_shrinking; ///< factor by which a return shortens every distance at least
+    double least_shrinking; ///< least share by which a return shortens a distance, in the metric
     double *monodromy;      ///< [kept][kept]
     double *metric;         ///< [kept][kept] quadratic form of distances
     double *before, *now;   ///< [kept] distance from the orbit at the last return and at this one
@@ -145,8 +148,8 @@ static bool closes_in(const approach *a, const settling *s, size_t k, int revolu
     return late <= a->noise * size || late <= has_shrunk * largest_return(a, s, k, window, window);
 }
 
-/// Returns the least divisor of k after which the motion returns nearly as well as after k. A motion that spirals
-/// towards an orbit of a shorter period, once round it in k revolutions, returns closest after k.
+/// Returns the least divisor of k after which the motion returns nearly as well as after k. A motion may spiral towards
+/// an orbit of a shorter period, and go round it once in k revolutions: then it returns closest after k.
 static size_t approach_shortest(const approach *a, const settling *s, size_t k, size_t repeats, int revolution) {
     const double as_well = 3.0;
     const size_t window = window_of(k, revolution);

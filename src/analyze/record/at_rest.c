@@ -1,6 +1,6 @@
-// Rest: a motion that is constant, to what its steps resolve, at an equilibrium. It is as small as the errors of its
-// steps, so neither its returns nor a perturbed copy mean anything; the equilibrium and its eigenvalues decide instead.
-// See docs/theory.md, "Rest".
+// Rest: a motion that is constant, as far as its steps resolve it, at an equilibrium. What moves is as small as the
+// errors of the steps, so neither returns nor a perturbed copy mean anything. The equilibrium and its eigenvalues
+// decide instead. See docs/theory.md, "Rest".
 #include "at_rest.h"
 #include "two_pi.h"
 
@@ -13,8 +13,8 @@
 /// Largest size of a motion at rest, over the state's size.
 static const double near_enough = 1e-5;
 
-/// Returns the least size that a state counts with: a motion below `near_enough` of it is not resolved by the steps, or
-/// is rounding.
+/// Returns the scale that a state has at least. The steps do not resolve a motion below `near_enough` of this scale, or
+/// it is rounding.
 static double least_scale(const whirl_integrate_options *integrate) {
     const double tolerances = 100.0, rounding = 1e-12;
     return fmax(whirl_method_is_adaptive(integrate->method) ? tolerances * integrate->atol : 0.0, rounding) /

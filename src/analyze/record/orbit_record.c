@@ -21,9 +21,9 @@ static void orbit_record_keep(void *context, double t, const double *x) {
     memcpy(p->states + p->next * p->dimension, x, p->dimension * sizeof *x);
 }
 
-/// Returns the number of instants of a segment. A revolution has as many as the options have steps; an orbit with a
-/// free period has them in the whole orbit. For an orbit of whole revolutions the number is raised until samples fall
-/// on instants.
+/// Returns the number of instants of a segment. A revolution has as many instants as the options have steps; an orbit
+/// with a free period has as many in its whole period. For an orbit of whole revolutions the number is raised until
+/// samples fall on instants.
 static size_t instants_of(const whirl_orbit *orbit, const whirl_orbit_options *options, size_t samples) {
     const size_t steps = (size_t)options->integrate.steps_per_revolution;
     const size_t segments = orbit->segment_count / (orbit->revolutions > 0 ? orbit->revolutions : 1);
@@ -45,8 +45,8 @@ static whirl_status orbit_record_follow(const whirl_system *system, const whirl_
     return rests ? whirl_ok() : whirl_orbit_observe(system, orbit, options, instants, orbit_record_keep, p);
 }
 
-/// Interpolates the state after a number of revolutions with the cubic between two states of the path, whose slopes are
-/// those of the chords around each state.
+/// Interpolates the state after a number of revolutions, by a cubic between two states of the path. The slope at a
+/// state is that of the chord from the state before to the state after.
 static void state_after(const path *p, double revolutions, double *x) {
     const double at = fmod(revolutions * p->per_revolution, (double)p->count), whole = floor(at + 1e-9);
     const double s = fabs(at - whole) <= 1e-9 ? 0.0 : at - whole;

@@ -15,9 +15,9 @@ typedef struct orbit_search {
     size_t dimension, kept;     ///< coordinates, and those that do not turn
     size_t revolutions;         ///< period of the orbit
     double *nodes;              ///< [revolutions][dimension] the states at the beginnings of its revolutions
-    double *factors; ///< [revolutions][kept][kept] derivative of a revolution's end by its beginning, rows first
+    double *factors; ///< [revolutions][kept][kept] derivative of a revolution's end by its beginning, row by row
     whirl_multiplier *values; ///< [kept] multipliers by falling modulus
-    double residual;          ///< distance by which it fails to close, over its largest coordinate
+    double residual;          ///< distance by which the orbit fails to close, over its largest coordinate
     double volume;            ///< sum of ln|multiplier| from the divergence; NaN if the system gives none
     double carried;           ///< revolutions that were computed, with all perturbations
     bool found;
@@ -31,7 +31,7 @@ orbit_search *orbit_search_new(const whirl_system *system, size_t revolutions, c
 /// Archives (saves or restores) the result; the search must be for the same system and period.
 void orbit_search_archive(orbit_search *s, archive *a);
 
-/// Computes the derivative of the map over all revolutions, matrix [kept][kept]; `work` has as many.
+/// Computes the derivative of the map over all revolutions, matrix [kept][kept]; `work` [kept][kept] is workspace.
 void orbit_search_monodromy(const orbit_search *s, double *matrix, double *work);
 
 /// Computes the coordinates of x - node that do not turn: out [kept].
@@ -40,8 +40,8 @@ void orbit_search_difference(const orbit_search *s, const double *x, double *out
 /// Returns the Euclidean length of that difference.
 double orbit_search_distance(const orbit_search *s, const double *x);
 
-/// The ensemble that carries searches: machines of one structure, by their motions' method, with a tighter tolerance if
-/// it has one.
+/// The ensemble that carries searches: machines of one structure, by the method of their motions, with a tighter
+/// tolerance if the method is adaptive.
 typedef struct orbit_searches orbit_searches;
 
 /// Makes the lanes of searches. Returns WHIRL_BAD_INPUT if the system has no Jacobian, or if the method does not carry
@@ -53,9 +53,9 @@ void orbit_searches_free(orbit_searches *s);
 /// Returns the number of searches that run side by side.
 size_t orbit_searches_lanes(const orbit_searches *s);
 
-/// Runs the searches [count], including those in lanes, until fewer than `least` >= 1 of them are unfinished. They use
-/// full Newton steps, few of them, since their starts are close to an orbit. If an orbit closes after fewer revolutions
-/// (a divisor of its period), these become its period. Searches in lanes must not be freed before they are done.
+/// Runs the searches [count], including those in lanes, until fewer than `least` >= 1 of them are unfinished. A search
+/// takes a few full Newton steps, since its start is close to an orbit. If an orbit closes after fewer revolutions (a
+/// divisor of its period), these become its period. Searches in lanes must not be freed before they are done.
 /// WHIRL_NO_MEMORY.
 whirl_status orbit_searches_run(orbit_searches *s, orbit_search *const *searches, size_t count, size_t least);
 

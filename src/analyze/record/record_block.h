@@ -19,8 +19,8 @@ whirl_record *record_new(const whirl_system *system, const whirl_integrate_optio
 /// sections and waveforms.
 void record_begin_orbit(whirl_record *record, const whirl_record_options *options, size_t k);
 
-/// Fills the rest of the record, before means are scaled, by repeating these revolutions, and growths by the largest
-/// multiplier of record->orbit.
+/// Fills the rest of the record from these k revolutions: repeats them in sections and waveforms, multiplies sums to
+/// match, and sets all growths by the largest multiplier of record->orbit. Must be called before sums become means.
 void record_repeat_orbit(whirl_record *record, const whirl_record_options *options);
 
 /// Returns the section so far. An angle is replaced by a point on a circle whose arcs are as long as the angles'
@@ -34,11 +34,12 @@ void record_close_turns(whirl_record *record);
 void record_archive(whirl_record *record, const whirl_integrate_options *integrate, const whirl_record_options *options,
                     archive *a);
 
-/// Sets the initial perturbations [count][dimension]. A single one lies across all axes; the k-th of all is sin(k
-/// theta_i), theta_i = pi i/(n + 1) for the i-th axis of n. They are orthonormal, and since sin(k theta)/sin(theta) are
-/// polynomials of rising degree in cos(theta), any k axes see the first k of them as independent: even if the motion
-/// decouples planes, or other groups of coordinates, the fastest growth comes first. Coordinates that turn have axes of
-/// their own, which come last, so that orthogonalization in this order never mixes the other perturbations with them.
+/// Sets the initial perturbations [count][dimension]. A single perturbation has a part along every axis. If all are
+/// carried, the k-th one is sin(k theta_i) along the i-th of n axes, with theta_i = pi i/(n + 1). These are
+/// orthonormal. Since sin(k theta)/sin(theta) are polynomials of rising degree in cos(theta), the first k perturbations
+/// are independent along any k axes. So the fastest growth comes first, even if the motion decouples planes or other
+/// groups of coordinates. Coordinates that turn have axes of their own, which come last, so that orthogonalization in
+/// this order never mixes the other perturbations with them.
 void record_place_perturbations(const whirl_record *record, size_t count, double *perturbations);
 
 #endif

@@ -1,7 +1,7 @@
 // Records many motions in the lanes of an ensemble: side by side, or one after the other if an integrator carries them.
 // A motion takes one lane, and a second one for its perturbed copy while growth is followed. Lanes in use are kept
-// together at the front. A motion that needs a second lane when none is free waits outside with its state, and precedes
-// new ones. None of this changes a bit of any motion.
+// together at the front. If no lane is free for the copy, the motion leaves its lane and waits with its state; it then
+// goes before new motions. None of this changes a bit of any motion.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -553,8 +553,9 @@ static whirl_status take_search(const whirl_recorder *r, motion *m) {
     return whirl_ok();
 }
 
-/// Returns how many of `count` motions may continue to wait for Newton's method: fewer than half of its lanes and fewer
-/// than a quarter of the other motions; none once a waiting motion has reached its last revolution or has diverged.
+/// Returns how many of `count` motions may continue to wait for Newton's method: fewer than half of the lanes of the
+/// searches, and fewer than a quarter of the other motions; none once a waiting motion has reached its last revolution
+/// or has diverged.
 static size_t may_wait(const whirl_recorder *r, size_t count) {
     const size_t lanes = orbit_searches_lanes(r->searches) / 2, others = (r->count - count) / 4;
     const size_t most = lanes < others ? lanes : others;

@@ -15,7 +15,7 @@ static const double tolerance = 1e-11;
 struct settling {
     size_t dimension, count;      ///< states taken
     const double *turns, *angles; ///< as in whirl_system; coordinates that turn do not count for returns
-    size_t returns[KEPT];         ///< [k] revolutions in a row that returned after k
+    size_t returns[KEPT];         ///< [k] consecutive revolutions that returned after k
     double states[];              ///< [KEPT][dimension], a ring
 };
 

@@ -7,19 +7,20 @@
 #include "archive.h"
 #include "section.h"
 
-/// The last states of a section, and for every k how many revolutions in a row have returned after k.
+/// The last states of a section. For every k it counts the consecutive revolutions at whose end the motion was where it
+/// had been k revolutions before.
 typedef struct settling settling;
 
-/// Makes the memory of returns for motions of the system, which is borrowed. Coordinates that turn do not count for
-/// returns. Returns NULL without memory. Freed by settling_free.
+/// Makes the kept states and counts for motions of the system, which is borrowed. Coordinates that turn do not count
+/// for returns. Returns NULL without memory. Freed by settling_free.
 settling *settling_new(const whirl_system *system);
 void settling_free(settling *settling);
 
 /// Archives (saves or restores) the kept states.
 void settling_archive(settling *settling, archive *a);
 
-/// Adds the state x [dimension] at the end of a revolution. Returns the least k <= 128 after which the motion has
-/// returned to 1e-11 of its size for three periods and 32 revolutions; 0 without one.
+/// Adds the state x [dimension] at the end of a revolution. Returns the least k <= 128 for which the motion has
+/// returned after k revolutions, to 1e-11 of its size, 3 k + 32 times in a row; 0 if there is none.
 size_t settling_note(settling *settling, const double *x);
 
 /// Returns the state [dimension] that lies `back` revolutions before the last one, or NULL if it is not kept. The last

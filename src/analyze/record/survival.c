@@ -1,7 +1,7 @@
-// Lower bound for the lifetime of chaos. Escapes from the remains of an attractor are a Poisson process with
-// exponential times (Grebogi, Ott, Yorke 1983; Lai, Tel 2011). So n copies that run T revolutions each without an end
-// have the probability exp(-n T/tau), and exclude mean lives tau below n T/3 at 95 %. See docs/theory.md, "Transient
-// chaos".
+// Lower bound for the lifetime of chaos. Copies escape from the remains of an attractor after times that are
+// distributed exponentially, with a mean tau (Grebogi, Ott, Yorke 1983; Lai, Tel 2011). So the probability that n
+// copies all run T revolutions without an escape is exp(-n T/tau), and such copies exclude mean lives tau below n T/3
+// at 95 %. See docs/theory.md, "Transient chaos".
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,16 +12,16 @@
 #include "whirl/engine/ensemble.h"
 #include "zero_one.h"
 
-/// Copies that run side by side, and copies of systems that run alone; and the number of revolutions after which a copy
-/// is judged.
+/// COPIES: copies of systems that run side by side in lanes. COPIES_ALONE: copies of other systems. LOOKED_AT: number
+/// of revolutions by which the end of a copy is judged.
 enum { COPIES = 64, COPIES_ALONE = 32, LOOKED_AT = 128 };
 
 /// Mean lives that copies must exclude at 95 %: at least this number of revolutions, and this multiple of the watched
 /// number of revolutions.
 static const double least_excluded = 12800.0, long_against_watch = 4.0;
 
-/// Displacement of a copy over the motion's extent in every coordinate, and the revolutions in which copies may diverge
-/// from each other.
+/// Displacement of a copy, over the motion's extent in every coordinate, and the number of revolutions within which
+/// copies must have diverged from the motion.
 static const double displacement = 1e-6, longest_parting = 600.0;
 
 /// Returns true if a copy is no longer chaotic: it is lost, returns or closes in on a return, or is regular.
@@ -49,8 +49,8 @@ static void place_copies(const whirl_record *record, double share, size_t count,
     }
 }
 
-/// Records the copies side by side, counts those that have ended, and sums the revolutions that count: `lived` of each
-/// copy after it has parted, or fewer where it was lost or settled.
+/// Records the copies side by side, counts those that have ended, and sums their revolutions: for each copy `lived`
+/// revolutions after it has diverged from the motion, or fewer if it was lost or settled.
 static whirl_status follow_copies(const whirl_system *system, const whirl_integrate_options *integrate,
                                   const whirl_record_options *options, int lived, const double *starts,
                                   whirl_survival *survival) {
@@ -89,7 +89,7 @@ whirl_status whirl_record_survival(const whirl_system *system, const whirl_integ
         return whirl_fail(WHIRL_BAD_INPUT,
                           "copies are followed of a bounded chaotic motion of %d sections without turning phases",
                           COPIES);
-    // Displace copies so far that they part within `longest_parting` revolutions.
+    // Displace copies so far that they diverge from the motion within `longest_parting` revolutions.
     const double share = fmax(displacement, exp(-longest_parting * exponent));
     const int count = whirl_ensemble_takes(system, integrate) ? COPIES : COPIES_ALONE;
     const double excluded = fmax(least_excluded, long_against_watch * (double)record->section_count);

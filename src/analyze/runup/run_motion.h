@@ -9,21 +9,22 @@
 typedef struct motion_node {
     const double *state, *slope; ///< [dimension] and its derivative by the same variable
     double time;                 ///< s
-    double angle, speed, rate;   ///< rad, rad over the unit of time, and the derivative of the speed by time
+    double angle, speed, rate;   ///< rad; rad per unit of time; derivative of the speed by time
     bool by_time;                ///< derivatives of the state are by time, not by the angle
 } motion_node;
 
-/// Begins the motion: instants before the time 0 have the state at the beginning, and that angle, rad.
+/// Begins the motion: instants before time 0 get the displacements of `state` and `angle`, rad.
 void run_motion_begin(whirl_run_motion *to, const whirl_probe *probes, const double *state, double angle);
 
-/// Fills in the instants from the first state to before the second one; `unit`: s, of time. Displacements are of the
-/// fifth degree in time between both: they have the places, velocities and accelerations of both states. Angles are
-/// cubic, which is exact where the rate of the speed is constant.
+/// Fills in the instants from the first state to before the second one. unit: the unit of time, s. Displacements are
+/// polynomials of the fifth degree in time, which have the places, velocities and accelerations of both states at the
+/// ends. Angles are cubic in time, which is exact where the rate of the speed is constant.
 void run_motion_fill(whirl_run_motion *to, const whirl_probe *probes, const motion_node *low, const motion_node *high,
                      double unit);
 
-/// Returns the largest distance, in the machine's unit of length, of the displacements of a computed state from those
-/// that the states before and after it give between them. Writes the largest displacement to *size, if it is larger.
+/// Returns the error of interpolation at a computed state `middle`: the largest distance of its displacements from
+/// those interpolated between the states before and after it, in the machine's unit of length. Raises *size to the
+/// largest displacement at `middle`. unit: as in run_motion_fill.
 double run_motion_error(size_t probe_count, const whirl_probe *probes, const motion_node *low,
                         const motion_node *middle, const motion_node *high, double unit, double *size);
 

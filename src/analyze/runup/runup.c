@@ -93,7 +93,7 @@ static whirl_motion runup_carry_seen(runner *r, double from, double length, doub
     return whirl_integrator_revolve(r->sides[r->side].seen[r->by_time], x, runup_keep_sample, &s);
 }
 
-/// Returns a quantity of a state; `which` is its station or switch, if it has one.
+/// Returns a quantity of a state. which: index of its station or switch, if the quantity belongs to one.
 typedef double quantity(const runner *r, const double *x, size_t which);
 
 /// Finds where a quantity reaches `target` on the way of `length` from `state`, which begins at the angle `from`. low,
@@ -174,7 +174,7 @@ static double runup_peak_size(const runner *r, const double *x, size_t which) {
     return (which - r->probes) % 2 == 0 ? -along : along;
 }
 
-/// Returns the slope of that size by time, or a multiple of it above 0.
+/// Returns the slope of that size by time, or a positive multiple of the slope.
 static double runup_peak_slope(const runner *r, const double *x, size_t which) {
     if (which < r->probes) return runup_radial_slope(r, x, which);
     const double along = runup_value(r, x, r->probes + (which - r->probes) / 2, 2);
@@ -300,8 +300,8 @@ static double runup_measure_copy(const runner *r) {
     return sqrt(sum);
 }
 
-/// Places the copy anew. Multiplies its distance by a factor; with a factor of 0, makes all coordinates of the rotor
-/// differ.
+/// Places the copy again: multiplies its distance from the motion by a factor. With a factor of 0, displaces all
+/// coordinates of the rotor anew.
 static void runup_place_copy(runner *r, double factor) {
     const double apart = runup_copy_distance(r);
     for (size_t i = 0; i < r->dimension; i++)
@@ -322,7 +322,8 @@ static void runup_carry_copy(runner *r, double from, double length) {
     if (r->copy && runup_carry_part(r, from, length, r->copy) != WHIRL_BOUNDED) r->copy = NULL;
 }
 
-/// Notes by how much the distance of the copy, over the motion, has grown since the last time, and brings it back.
+/// Notes by how much the copy's distance, relative to the motion, has grown since the last call, and rescales the
+/// distance.
 static void runup_compare_copy(runner *r) {
     if (!r->copy) return;
     double *found = r->run->sensitivity;
@@ -529,8 +530,9 @@ static void runup_fill_motion(runner *r, double passed, double step, size_t coun
     }
 }
 
-/// Returns the error of the motion of a record between the samples of a part by the angle, as a share of the motion:
-/// every second sample tells how well its neighbours describe it, and their distance is halved.
+/// Returns the interpolation error of a record's motion between the samples of a part by the angle, as a share of the
+/// motion. Every second sample is compared with the interpolation between its neighbours, whose distance is twice that
+/// of the samples: the error of the sixth order is divided by 64.
 static double runup_motion_error(const runner *r, double step, size_t count) {
     enum { HALVED = 64 }; // two to the sixth power
     double largest = 0.0, size = 0.0;
@@ -543,8 +545,8 @@ static double runup_motion_error(const runner *r, double step, size_t count) {
     return size > 0.0 ? largest / HALVED / size : 0.0;
 }
 
-/// Returns true if the samples of a part by the angle are too far apart for the motion of a record. The part is then to
-/// be carried again, in shorter ones.
+/// Returns true if the samples of a part by the angle are too far apart for the motion of a record. The part must then
+/// be carried again, divided into shorter parts.
 static bool runup_is_coarse(runner *r) {
     enum { SHORTEST = 16 }; // of a turn
     const size_t count = (size_t)r->plan->options->samples;
@@ -614,8 +616,9 @@ enum {
     EVENT_FIRST = EVENT_SPOOL_DWELL + WHIRL_MAX_SPOOLS  ///< the first of the run's own events; others follow
 };
 
-/// The end by time and by speed, a corner, a turn, a torque; a turn, and a corner or the end of a rate, of every shaft
-/// with a speed of its own; and two conditions of every event besides its formula.
+/// Maximum number of conditions that may come true: five of the run (end by time, end by speed, a corner, a turn, a
+/// torque), two of every shaft with a speed of its own (a turn; a corner or the end of a rate), three of every event
+/// (two besides its formula).
 enum { MAX_COMING = 5 + 2 * WHIRL_MAX_SPOOLS + 3 * RUNUP_EVENTS };
 
 /// Something that happens when a quantity passes a target, rising (1), falling (-1) or both (0).
@@ -973,9 +976,9 @@ static whirl_motion runup_carry_next(runner *r, double from, double *length, dou
     }
 }
 
-/// Returns the length of the next part by the angle: the rest of the turn. It is shorter where the speed would fall
-/// below its half, since its law may have a corner before it falls to 0; and in the run of a record where samples must
-/// be closer.
+/// Returns the length of the next part by the angle: the rest of the turn, or less in two cases. If the speed would
+/// fall below half of its value within the turn, the part ends before, since the law of the speed may have a corner
+/// before the speed is 0. In the run of a record the samples may have to be closer.
 static double runup_next_angle(const runner *r) {
     const double halving = 0.375, slow = 1e-3; // (1 - 1/4)/2
     const double speed = r->x[r->rotor], rate = r->how.rate / (r->unit * r->unit);
@@ -1317,7 +1320,7 @@ double runup_turns_of(const runup_state *r) {
 
 // ---------------------------------------------------------------- all
 
-/// Returns to the setting of a state.
+/// Restores the machine, the variable, the unbalances and the turning of the shaft with which a state was computed.
 static void runup_go_back(runner *r, const runup_where *to) {
     runup_go_by(r, to->side, to->by_time);
     r->machine->lose(r->machine, to->lost, r->lost);

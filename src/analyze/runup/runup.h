@@ -102,13 +102,14 @@ size_t runup_events_of(const whirl_runup_options *options, const whirl_system *s
 typedef struct runup_run {
     runup_end end;
     double time, speed, turns;                                           ///< at its end: s, rad/s, turns of the shaft
-    double spool_speed[WHIRL_MAX_SPOOLS], spool_turns[WHIRL_MAX_SPOOLS]; ///< then, of shafts with a speed of their own
+    double spool_speed[WHIRL_MAX_SPOOLS], spool_turns[WHIRL_MAX_SPOOLS]; ///< the same, for shafts with own speeds
     double error;            ///< largest interpolation error of the numbers of its machines
     double sensitivity[4];   ///< as in the field runup/sensitivity
     size_t event_count;      ///< number of events that may happen
     runup_happening *events; ///< [event_count] those of the options, then those of the course
-    runup_peak *peaks; ///< [probe_count + 2 axial_count] located; of stations, then of axial displacements: opposite to
-                       ///< growing positions, along them, of each. -INFINITY: never seen
+    runup_peak *peaks; ///< [probe_count + 2 axial_count] located: the radius of each station; then for each station
+                       ///< that moves along its shaft the displacements against and in the direction of growing
+                       ///< positions. -INFINITY: never seen
     runup_contact *contacts; ///< [contact_count] located
     runup_torque *torques;   ///< [watched_count] located
     double *last;            ///< [dimension by the angle] the last state
@@ -140,7 +141,7 @@ typedef struct runup_plan {
     whirl_status (*change)(const void *context, size_t count, const unsigned char *happened, whirl_running **running);
     const void *change_context;
     whirl_integrate_options integrate;
-    const double *start; ///< [start_count] the rotor's displacements and velocities by time over the unit of speed
+    const double *start; ///< [start_count] the rotor's displacements, then velocities by time over the unit of speed
     size_t start_count;
     double angle; ///< rad of the first state
     runup_see *see;

@@ -113,8 +113,8 @@ typedef struct runup_state {
 void runup_open(runner *r, whirl_running *running, const runup_plan *plan, runup_run *run);
 void runup_close(runner *r);
 
-/// Goes on to the next part that is to be carried, of `length` from `from` and the state in `end`. Returns false if the
-/// run is over, or r->status is an error.
+/// Goes on to the next part that must be carried: from the angle `from`, over `length`, with the state in `end`.
+/// Returns false if the run is over, or r->status is an error.
 bool runup_next(runner *r);
 
 /// Carries the part of runup_next by integrators of this run alone.

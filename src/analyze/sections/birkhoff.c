@@ -1,8 +1,8 @@
 // Weighted Birkhoff averages: the mean of an observable along the motion, weighted by a smooth bump. On tori and
-// periodic motions it converges faster than any power of the number of points, in chaos only like its square root, so
-// that the agreement of two halves distinguishes them (Das, Saiki, Sander, Yorke, "Quantitative quasiperiodicity",
-// Nonlinearity 30 (2017) 4111; Das, Yorke, "Super convergence of ergodic averages for quasiperiodic orbits",
-// Nonlinearity 31 (2018) 491). A motion that still settles disagrees as well.
+// periodic motions its error falls faster than any power of the number of points, in chaos only like the reciprocal of
+// its square root. The agreement of two halves therefore tells these motions apart (Das, Saiki, Sander, Yorke,
+// "Quantitative quasiperiodicity", Nonlinearity 30 (2017) 4111; Das, Yorke, "Super convergence of ergodic averages for
+// quasiperiodic orbits", Nonlinearity 31 (2018) 491). The halves of a motion that still settles disagree as well.
 #include <math.h>
 
 #include "birkhoff.h"
@@ -28,8 +28,8 @@ static moments weighted_moments(const section *all, size_t coordinate, size_t fi
 
 /// Comparison of the halves over all coordinates of the section.
 typedef struct comparison {
-    double difference;  ///< greatest of two squared differences of the halves: of the means over the variance, of the
-                        ///< mean squares over the squared variance
+    double difference;  ///< largest of all coordinates' squared differences between the halves: of the means, over the
+                        ///< variance; of the mean squares, over the squared variance
     double early, late; ///< sums of the variances of the first and of the second half
 } comparison;
 

@@ -74,8 +74,8 @@ static void curves_grow(tree *t, const section *points) {
     qsort(t->longest, t->count - 1, sizeof(edge), longer_first);
 }
 
-/// Labels the parts that remain when the `cuts` longest edges are cut. Edges joined in the order of their list, so the
-/// parent already has a label.
+/// Labels the parts that remain when the `cuts` longest edges are cut. Edges are in the order in which their points
+/// joined the tree, so a parent always has its label before its children.
 static void label_parts(tree *t, size_t cuts) {
     size_t parts = 1;
     t->label[0] = 0;
@@ -87,7 +87,8 @@ static void label_parts(tree *t, size_t cuts) {
     }
 }
 
-/// Returns true if the points visit the `parts` parts in a fixed cyclic order, so that n and n + parts are on the same.
+/// Returns true if the points visit the `parts` parts in a fixed cyclic order: points n and n + parts are on the same
+/// part.
 static bool visited_in_turn(const tree *t, size_t parts) {
     for (size_t n = 0; n + parts < t->count; n++) {
         if (t->label[n] != t->label[n + parts]) return false;

@@ -1,5 +1,6 @@
 // Recurrence: the number of revolutions after which the motion comes back, and how closely. Periods up to 64 are
-// compared by all returns of the window; longer ones, if three of them were recorded, only if the last point returned.
+// compared by all returns of the window. A longer period is compared only if the section has three of them, and then
+// only if its last point returned.
 #include <math.h>
 #include <stdbool.h>
 
@@ -87,7 +88,8 @@ static double mean_return(const section *all, size_t k) {
 }
 
 double drift_round(const section *all, const recurrence *returns, double size) {
-    // A circle is 2 pi/sqrt 2 times as long as half the diagonal of its bounds; k branches divide its length.
+    // A circle is 2 pi/sqrt 2 times as long as half the diagonal of its bounds. The points lie on k branches, each of
+    // which covers 1/k of that length.
     const double way = 4.44, nearest = 0.1, evenness = 0.5, steady = 0.05;
     if (!(returns->distance > recurrence_tolerance && returns->distance < nearest)) return NAN;
     if (!(fabs(returns->trend - 1.0) < steady)) return NAN;

@@ -14,12 +14,12 @@ typedef struct recurrence {
     /// The smallest k that returns within the tolerance, else the k up to 64 that returns best; 0: too few points.
     int period;
     double distance;   ///< largest |z(n+k) - z(n)| over the window, over the size of the motion
-    double separation; ///< smallest such distance for a proper divisor of k, the distance between the k points;
+    double separation; ///< smallest such distance for a proper divisor of k: the k points of P-k are this far apart;
                        ///< infinite for k = 1
     double trend;      ///< largest |z(n+k) - z(n)| in the last quarter of the section over that in the first
 } recurrence;
 
-/// Periods up to this are compared by all returns of a window, longer ones if three of them were recorded.
+/// Periods up to this are compared by all returns of a window, longer ones only if the section has three of them.
 enum { SHORT_PERIOD = 64 };
 
 /// A computed motion returns when it comes back within this share of its size.

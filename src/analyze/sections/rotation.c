@@ -161,8 +161,9 @@ static bool is_smooth(cloud *c, double number, double reach) {
     return off <= fmax(least, by_bend * chord / reach) * chord;
 }
 
-/// Returns true if the points, sorted as a rotation by `number` meets them, go round a curve: then the steps from each
-/// to the next are short. This is true only for the right number, however the projection distorts the curve.
+/// Returns true if the points go round a curve when they are sorted by the places that a rotation by `number` gives
+/// them: then the steps from each point to the next are short. This is so only for the right number, however the
+/// projection distorts the curve.
 static bool goes_round(cloud *c, double number) {
     const double longest_way = 20.0; // times the greatest distance from the centre, for the whole curve
     const size_t d = c->dimension;

@@ -1,8 +1,8 @@
 // The linear map that a slow section follows. Close to an orbit of one revolution the step from each point of the
 // section to the next obeys d(n + 1) = M d(n), whatever modes are decaying together. M is fitted by least squares in
 // the few directions of d (dynamic mode decomposition: Schmid, J. Fluid Mech. 656 (2010) 5; Tu et al., J. Comput. Dyn.
-// 1 (2014) 391). Its largest multiplier gives the settling rate long before the motion returns; halves of the section
-// show whether it is one map. See docs/theory.md, "Slow motions".
+// 1 (2014) 391). Its largest multiplier gives the settling rate long before the motion returns. Fits to the two halves
+// of the section show whether M stays the same. See docs/theory.md, "Slow motions".
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

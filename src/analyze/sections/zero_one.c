@@ -1,8 +1,8 @@
 // The 0-1 test for chaos: the section drives p(n+1) = p(n) + u(n) cos(c n), q(n+1) = q(n) + u(n) sin(c n). For a
-// regular motion (p, q) stays bounded, for a chaotic one it diffuses, so that its mean square displacement grows with
-// the lag. K is the correlation of displacement and lag: near 0 for regular motion, near 1 in chaos. At resonance of c
-// with a line of the motion it is 1 as well; the median over many c excludes those (Gottwald, Melbourne, "On the
-// implementation of the 0-1 test for chaos", SIAM J. Appl. Dyn. Syst. 8 (2009) 129).
+// regular motion (p, q) stays bounded. For a chaotic one it diffuses, so that its mean square displacement grows with
+// the lag. K is the correlation of displacement and lag: near 0 for regular motion, near 1 in chaos. If c resonates
+// with a line of a regular motion, K is 1 as well; the median over many c excludes such values (Gottwald, Melbourne,
+// "On the implementation of the 0-1 test for chaos", SIAM J. Appl. Dyn. Syst. 8 (2009) 129).
 #include <math.h>
 #include <stdbool.h>
 
@@ -14,7 +14,8 @@ enum { MAX_POINTS = 4000, FREQUENCIES = 25, MAX_LAGS = 50 };
 static const double pi = 3.141592653589793238463;
 
 /// Computes one observable of the section, with mean 0 and mean square 1: a sum of its scaled coordinates with
-/// different weights, so that no symmetry of the motion hides. Returns false if only rounding moves.
+/// different weights, so that parts of a symmetric motion do not cancel. Returns false if no coordinate moves by more
+/// than rounding.
 static bool zero_one_observe(const section *points, double size, double *u) {
     double squares = 0.0;
     for (size_t n = 0; n < points->count; n++) u[n] = 0.0;

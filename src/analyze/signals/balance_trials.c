@@ -1,5 +1,5 @@
-// Trial weights from a model: the usual tenth of the bearing load, limited to what readings resolve and limits allow,
-// where they reduce the vibration.
+// Trial weights from a model: the usual tenth of the bearing load, within what readings resolve and what limits allow,
+// at the angles at which they reduce the vibration.
 #include "balance_trials.h"
 
 #include <math.h>

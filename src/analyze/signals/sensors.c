@@ -67,7 +67,7 @@ static void resonate(const sensor_grid *grid, double frequency, double damping, 
     const double e = exp(-a * h), c = e * cos(wd * h), s = e * sin(wd * h) / wd;
     double y = u[0], v = 0.0, before = u[0];
     for (size_t j = 1; j < grid->count; j++) {
-        // A signal that rises linearly is followed with this lag; any difference from that decays.
+        // The mass follows a signal that rises linearly with this lag. Its distance from that motion decays.
         const double now = u[j], slope = (now - before) / h, lag = 2.0 * damping / w * slope;
         const double dy = y - (before - lag), dv = v - slope;
         y = (c + a * s) * dy + s * dv + now - lag;

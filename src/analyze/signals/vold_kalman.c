@@ -4,7 +4,7 @@
 //
 // With half amplitudes x_k it minimizes |y - sum_k x_k e^{i phase_k}|^2 + sum_k r_k^2 |D^p x_k|^2, D the difference of
 // neighbouring samples. The condition number of the normal equations is about r^4, which leaves no correct digit for a
-// narrow band. Givens rotations of the banded rows have r^2.
+// narrow band. Givens rotations work on the banded rows themselves, whose condition number is about r^2.
 #include <complex.h>
 #include <math.h>
 #include <stdlib.h>

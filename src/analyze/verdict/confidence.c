@@ -64,8 +64,8 @@ static bool orbit_holds(const whirl_verdict *v, const evidence *e) {
            e->returns.separation >= much * off && 1.0 - v->orbit_modulus > much * off;
 }
 
-/// Weighs a periodic verdict. A stable orbit at the motion raises confidence. An unstable one, or one elsewhere or of
-/// another period, removes it; if no orbit was found, it drops by a step.
+/// Weighs a periodic verdict. A stable orbit at the motion raises its confidence. An orbit that is unstable, elsewhere
+/// or of another period lowers the confidence to the least one. If no orbit was found, the confidence drops by a step.
 static whirl_confidence weigh_periodic(const whirl_verdict *v, const evidence *e) {
     const whirl_confidence alone = v->settles ? WHIRL_FAIR : weigh_returns(v, e);
     switch (v->orbit) {
@@ -165,8 +165,8 @@ static double settling_factor(const whirl_verdict *v, const evidence *e, const w
     return bounded_factor(1.0 + needed / record->revolutions);
 }
 
-/// Returns a factor for the length of a run whose remaining distance is as large as its motion, at the rate of its
-/// section's map.
+/// Returns a factor for the length of a run that settles by the linear map of its section, at the map's rate. The
+/// remaining distance is taken to be as large as the motion.
 static double slow_factor(const whirl_verdict *v, const whirl_record *record) {
     return bounded_factor(1.0 + log(1.0 / (0.1 * settled)) / -v->settling.value / record->revolutions);
 }

@@ -1,8 +1,8 @@
 // Lines of a few frequencies, fitted by least squares. All lines are fitted at once, so that neighbours do not disturb
 // each other as they do in a windowed spectrum. Samples have the weights of Hann's window, so that lines of higher
-// orders, which are not fitted, do not disturb them either. A line of amplitude c whose order is off by d, which
-// wanders by w per revolution and grows by g has, about the middle of the record, the parts (g + 2 pi i d) t c and pi i
-// w t^2 c. Orders are refined by d (method of Gauss and Newton).
+// orders, which are not fitted, do not disturb them either. Consider a line of amplitude c whose order is off by d,
+// wanders by w per revolution, and whose amplitude grows by g. With the time t from the middle of the record, it adds
+// the parts (g + 2 pi i d) t c and pi i w t^2 c. Orders are refined by d (method of Gauss and Newton).
 #include "line_fit.h"
 #include "two_pi.h"
 
