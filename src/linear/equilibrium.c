@@ -116,8 +116,8 @@ static bool balances(search *s, double *x) {
     return left <= of_load * norm_of(s, s->load) + rounding_at(s, x);
 }
 
-/// Returns true if f at x is rounding of forces that balance each other. This is so if near x, f differs from its
-/// linear form by as much. The Jacobian is the one at x.
+/// Returns true if f at x is the rounding error of forces that balance each other: if it is not much larger than the
+/// differences between f and its linear form near x. The Jacobian is the one at x.
 static bool is_rounding(search *s, const double *x) {
     static const double offsets[][2] = {
         {1e-15, 2e-15}, {-2e-14, 1e-14}, {3e-13, -1e-13}, {-1e-12, -3e-12}, {2e-11, 1e-11}};
@@ -309,7 +309,7 @@ static double growth_at(search *s, double *x, double *work) {
         growth = fmax(growth, real[i]);
         size = fmax(size, hypot(real[i], imaginary[i]));
     }
-    return growth > 1e-9 * size ? growth : 0.0; // what nothing holds has rounding of 0
+    return growth > 1e-9 * size ? growth : 0.0; // a coordinate that nothing holds has an eigenvalue of 0, to rounding
 }
 
 /// Moves journals to a part of their clearances, at an angle from their loads in the direction of rotation, and pads to

@@ -20,7 +20,7 @@ static const double roundings = 100.0;
 /// An elimination with exchange of rows and columns.
 typedef struct elimination {
     size_t n, rank;
-    double *matrix;       ///< [n][n] in scaled coordinates, rows and columns where they were
+    double *matrix;       ///< [n][n] in scaled coordinates, rows and columns in their original order
     double *numbers;      ///< [n][n] the factors: upper triangle, and below the diagonal the multipliers of rows
     double *sums;         ///< [n][n] sum of the moduli of all summands of each number
     double *scale;        ///< [n] powers of two: a coordinate divided by the scaled coordinate

@@ -305,7 +305,7 @@ static void find_coefficients(const finder *of, const whirl_bearing_table *table
     find_sheet_end(of);
 }
 
-/// Reports points without a critical mass in the sheet, because a rigid rotor of any mass is stable there.
+/// States the number of points without a critical mass: there a rigid rotor of any mass is stable.
 static void find_stable(const finder *of, const whirl_bearing_table *table) {
     size_t found = 0, stable = 0;
     for (size_t i = 0; i < table->count; i++) {

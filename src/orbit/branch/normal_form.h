@@ -1,5 +1,5 @@
-/// Criticality: whether the motion that begins at a special point exists where the orbit is unstable, or where it is
-/// stable.
+/// Criticality: whether the motion that begins at a special point exists where the orbit is unstable, or where the
+/// orbit is stable.
 #ifndef ORBIT_NORMAL_FORM_H
 #define ORBIT_NORMAL_FORM_H
 

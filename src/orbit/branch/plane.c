@@ -153,8 +153,9 @@ static double share_to_bound(const walk *w, const double *before, size_t index, 
     return value > high || value < low ? (*bound - before[index]) / (value - before[index]) : 1.0;
 }
 
-/// Adds the last point, on the bound which the first parameter to leave its bounds has passed. The first part of work
-/// [2][unknowns] is the point before. If no point is found, the curve ends with the point before.
+/// Adds the last point, on the bound that was passed; if both parameters left their bounds, on the one that was passed
+/// first. The first part of work [2][unknowns] is the point before. If no point is found, the curve ends with the point
+/// before.
 static whirl_status end_at_bound(walk *w, double *work) {
     const size_t n = equations_count(&w->equations), all = n + 2;
     const double low = fmin(w->options->from, w->options->to), high = fmax(w->options->from, w->options->to);

@@ -64,8 +64,8 @@ typedef struct view {
     span range;             ///< range of the parameter in the figure
 } view;
 
-/// Returns the number of lines of a point: one for each revolution of a forced orbit, two (the bounds) of a motion with
-/// a period of its own, one of an equilibrium, and one if the multiplier is shown.
+/// Returns the number of lines of a point. Of a forced orbit there is one for each revolution, of an orbit with a
+/// period of its own two (the bounds), of an equilibrium one. The panel of the multiplier has one line.
 static size_t lines_of(const view *v, size_t point) {
     const double revolutions = point_number(v->table, point, WHIRL_FIELD_TRACE_REVOLUTIONS);
     if (v->column == 2) return 1;

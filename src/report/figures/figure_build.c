@@ -34,7 +34,8 @@ span span_below_legend(span range) {
 
 // ---------------------------------------------------------------- parts
 
-/// Makes room for one more item in an array of `count` items, whose size doubles at 0 and powers of two.
+/// Makes room for one more item in an array of `count` items. The array grows when `count` is 0 or a power of two: to
+/// 1, or to twice the size.
 static bool figure_make_room(whirl_figure *figure, void *array, size_t count, size_t size) {
     void **at = array;
     if (figure->failed) return false;

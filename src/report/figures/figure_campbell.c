@@ -54,8 +54,8 @@ static size_t modes_of(const view *v) {
 
 // ---------------------------------------------------------------- ranges
 
-/// Returns the highest frequency to show. If the parameter is a speed, it is above all crossings, and above all
-/// frequencies below twice the largest speed.
+/// Returns the highest frequency to show. If the parameter is a speed, this frequency is above all crossings, and above
+/// all frequencies below twice the largest speed.
 static double top_of(const view *v) {
     double fastest = 0.0, highest = 0.0, lowest = (double)INFINITY, near = 0.0;
     for (size_t point = 0; v->unit.of_speed && point < v->table->count; point++)
@@ -353,8 +353,8 @@ static void campbell_describe(const drawing *of, const figure_place *place, whir
     axis_show(&frequency->x, campbell_range(&v));
     axis_show(&damping->x, campbell_range(&v));
     axis_show(&frequency->y, (span){0.0, v.top});
-    // Leave out modes that hardly show in a response. API 617 asks for no margin from peaks with an amplification
-    // below 2.5. One degree of freedom with unbalance has it above a damping ratio of 0.17 (docs/theory.md); the
+    // Leave out modes that hardly show in a response. API 617 asks for no margin from peaks with an amplification below
+    // 2.5. One degree of freedom with unbalance is below 2.5 if its damping ratio is above 0.17 (docs/theory.md); the
     // axis ends a little above that.
     axis_show(&damping->y, damping_of(&v, WHIRL_FIELD_MODES_DAMPING_RATIO, 0.25));
     snprintf(frequency->y.label, sizeof frequency->y.label, "damped frequency (%.40s)", v.unit.name);

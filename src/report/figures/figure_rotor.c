@@ -283,8 +283,7 @@ static int by_place(const void *a, const void *b) {
 /// form a group, centred on their places.
 static void spread_labels(label *labels, size_t count, double step) {
     size_t sizes[WHIRL_MAX_PROBES], groups = 0;
-    double middles[WHIRL_MAX_PROBES]; // of each group: mean place of its labels, each moved back by `step` for each
-                                      // label before it
+    double middles[WHIRL_MAX_PROBES]; // mean of x - i step over the labels i of a group
     for (size_t i = 0; i < count; i++) {
         middles[groups] = labels[i].x - (double)i * step;
         sizes[groups++] = 1;

@@ -16,8 +16,9 @@ enum { WATERFALL, CASCADE, SPECTROGRAM, KINDS };
 /// Added to these for spectra of axial displacements.
 enum { OF_AXIAL = KINDS, ALL_KINDS = 2 * KINDS };
 
-/// Largest numbers of spectra that are drawn as lines (MAX_LINES) and as boxes (MAX_TIMES), and of boxes in a direction
-/// of whirl (MAX_BOXES). A box joins several spectra or bins, and has their largest amplitude.
+/// MAX_LINES: largest number of spectra that are drawn as lines. MAX_TIMES, MAX_BOXES: largest numbers of boxes along
+/// the time and, in each direction of whirl, along the frequency. A box joins several spectra or bins, and has their
+/// largest amplitude.
 enum { MAX_LINES = 60, MAX_TIMES = 240, MAX_BOXES = 200 };
 
 /// TALL: height of the largest peak of a line, as a part of the axis. MIN_AMPLITUDE: least amplitude of a box, relative
@@ -111,8 +112,8 @@ static void spectra_add_lines(const drawing *of, const run_spectra *s, bool by_s
     }
 }
 
-/// Returns the number of spectra up to that of the highest speed, if the speed falls clearly after it; else that of all
-/// spectra.
+/// Returns the number of spectra up to the one with the highest speed, if the speed falls clearly after it; else the
+/// number of all spectra.
 static size_t spectra_turning(const run_spectra *s) {
     size_t top = 0, last = 0;
     for (size_t k = 0; k < s->count; k++) {

@@ -48,8 +48,8 @@ double layout_largest_radius(const machine_layout *l, size_t shaft) {
     return radius;
 }
 
-/// Puts a shaft on the axis of a placed shaft, if an element joins stations of both, which then have the same place.
-/// Returns false if none does.
+/// Puts a shaft on the axis of a placed shaft, if an element joins stations of both: these two stations get the same
+/// place. Returns false if there is no such element.
 static bool layout_align_shaft(machine_layout *l, size_t shaft) {
     for (size_t i = 0; i < l->model.element_count; i++) {
         const whirl_model_element *e = &l->model.elements[i];

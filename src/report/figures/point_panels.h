@@ -30,8 +30,8 @@ typedef struct subject {
     double length, amplitude, order;
 } subject;
 
-/// Marks an orbit once a revolution, at the last instants of `samples` with `turn` instants a revolution (keyphasor
-/// dots: the shaft's mark is at the x axis), and adds an arrow head half a revolution before the last dot, in the
+/// Marks an orbit once a revolution with a keyphasor dot, where the shaft's mark is at the x axis: at the last instants
+/// of `samples`, with `turn` instants a revolution. Adds an arrow head half a revolution before the last dot, in the
 /// direction of motion. `length`: factor from samples to shown lengths; `size`: largest size of the arrow, which is
 /// smaller on a small orbit.
 void orbit_marks(whirl_figure *figure, whirl_panel *panel, const numbers *samples, size_t turn, double length,

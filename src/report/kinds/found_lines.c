@@ -158,7 +158,7 @@ static int found_by_size(const void *left, const void *right) {
     return (a > b) - (a < b);
 }
 
-/// Judges whether a line begins suddenly: at its first point it is several times as large as the least visible size,
+/// Judges whether a line begins suddenly: at its first point it is at least twice as large as the least visible size,
 /// and about as large as at the next points. (A line that grows as the square root of the parameter has less than 0.64
 /// of the median of the next two to four points.)
 static void edge_judge(const line_side *side, const line_track *track, bool first, line_edge *edge) {

@@ -45,7 +45,7 @@ static void add_count(const finder *of, whirl_phrase *found) {
 }
 
 /// Adds the number of starts without a verdict, and of points all of whose starts lack one: the table has no motion of
-/// these.
+/// such points.
 static void add_undetermined(const finder *of, whirl_phrase *found) {
     const whirl_table *const table = of->table, *const source = table->source;
     size_t done, undetermined;

@@ -4,12 +4,12 @@
 
 #include "whirl/engine/result.h"
 
-/// Bytes of a line's name. "2F" is the second forward line, counted by frequency at the last point of lines; B:
-/// backward, M: to and fro (mixed), T: torsional, A: axial. Lines that reach the last point of the table count first.
+/// Bytes of a line's name. "2F" is the second forward line, B: backward, M: to and fro (mixed), T: torsional, A: axial.
+/// Lines are numbered by the frequency at their last points; those that reach the last point of the table come first.
 /// Overdamped modes are on no line.
 enum { MODE_NAME = 24 };
 
-/// Ways of modes: those of lateral ones as units_way returns them, and the others.
+/// Ways of modes: backward, to and fro and forward as units_way returns them for lateral modes, and two more.
 enum { MODE_BACKWARD = -1, MODE_TO_AND_FRO, MODE_FORWARD, MODE_TORSIONAL, MODE_AXIAL };
 
 /// Returns the way of a mode at a point.

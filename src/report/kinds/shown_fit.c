@@ -42,7 +42,8 @@ static const char *fit_name(const shown_fit_of *f, size_t u) {
     return index >= 0.0 && index < (double)result->parameter_count ? result->parameters[(size_t)index].name : "";
 }
 
-/// Returns the unit of a parameter. The size of a unit cannot be found from a zero in the case, such as "0 deg".
+/// Returns the unit of a parameter. If the case gives a zero, such as "0 deg", the value does not give the unit's size:
+/// it is read from the text.
 static whirl_unit fit_unit(const shown_fit_of *f, size_t u) {
     const char *name = fit_name(f, u);
     whirl_unit unit = whirl_shown_parameter(f->of->units, name), written = {.name = ""};

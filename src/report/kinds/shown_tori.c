@@ -6,8 +6,8 @@
 #include "quantities.h"
 #include "shown_kinds.h"
 
-/// Returns the frequency of the largest line at the second frequency: rad/s if the speeds of all tori are given
-/// (clock), else an order.
+/// Returns the frequency of the largest line at the second frequency. It is in rad/s if `clock`, the speeds at all
+/// points, is given; else an order.
 static double second_frequency(const finder *of, const whirl_tori *own, size_t point, const double *clock) {
     const double line = whirl_table_field(of->table, point, WHIRL_FIELD_TORUS_FREQUENCY, own->station)[own->axis];
     return clock ? line * clock[point] : line;

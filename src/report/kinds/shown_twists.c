@@ -255,7 +255,7 @@ static size_t twists_mode(const finder *of, double speed, double frequency, doub
 /// Adds the peaks of a torque by one excitation along the speed. speeds, sizes, lags [number of points]: workspace.
 static void twists_find_peaks_of(const finder *of, whirl_sheet *sheet, size_t path, size_t index, double *speeds,
                                  double *sizes, double *lags) {
-    static const double nothing = 1e-3; // smaller parts of the largest torque by the excitation are no peaks
+    static const double nothing = 1e-3; // maxima below this share of the largest torque by the excitation are no peaks
     static const char *const ways[] = {"half power", "half power on one side", "slope of the lag"};
     const size_t excitations = twists_rows(of->table, WHIRL_FIELD_TORSION_ORDER), place = path * excitations + index;
     whirl_response_peak peaks[MARGIN_PEAKS];

@@ -11,7 +11,8 @@ static size_t cover_end_of(size_t begin, double width, size_t points) {
     return end + 1.0 < (double)points ? (size_t)end : points;
 }
 
-/// Counts the grid points of a square and subtracts them from *left. A sound file never runs out of them.
+/// Counts the grid points of a square and subtracts them from *left. In an undamaged file *left suffices for all
+/// squares.
 static void cover_square(const whirl_table *table, size_t point, double width, size_t *left, size_t *cover) {
     const size_t slot = whirl_table_slot(table, point), columns = table->row, rows = whirl_table_rows(table);
     const size_t right = cover_end_of(slot % columns, width, columns), top = cover_end_of(slot / columns, width, rows);

@@ -40,8 +40,8 @@ static void draw_values(const whirl_dataset_options *options, unsigned purpose, 
             whirl_tolerance_value(&drawn[i].of, drawn_share(options, purpose, of, drawn[i].parameter));
 }
 
-/// Returns the set of a machine. Places of machines in the sets follow the golden ratio, so that few machines are
-/// divided as evenly as many.
+/// Returns the set of a machine. Successive machines have places that differ by the golden ratio, so that the shares of
+/// the sets are right for few machines as well as for many.
 static whirl_split split_of(const whirl_dataset_options *options, size_t machine) {
     const double golden = 0.618033988749894848205;
     double whole;

@@ -59,8 +59,8 @@ static bool derived_begin(derived *d, const whirl_study *study, const whirl_batc
     return true;
 }
 
-/// Notes a derivative. It is noted as 0 if it is rounding: if a change of the parameter by its whole value would change
-/// the number by less than 1e-9 of it.
+/// Notes a derivative. Notes 0 in place of rounding: if a change of the parameter by its whole value would change the
+/// number by less than 1e-9 of the number.
 static void derived_note(derived *d, size_t number, size_t parameter, double slope, double error) {
     const double noise =
         d->parameters[parameter] == 0.0 ? 0.0 : 1e-9 * fabs(d->found[number] / d->parameters[parameter]);
@@ -101,10 +101,10 @@ typedef whirl_status derived_fn(const void *of, double h, double *numbers);
 typedef struct derived_series {
     double reach;
     double enough; ///< error of a slope, divided by the slope, below which the series ends
-    double good;   ///< the same, above which a second series begins nearer
+    double good;   ///< error of a slope, divided by the slope, above which a second series begins at a smaller distance
 } derived_series;
 
-/// The series of numbers that are smooth to rounding.
+/// Returns the series for numbers that are smooth to rounding.
 static derived_series series_from(double reach) {
     return (derived_series){reach, 1e-10, 1e-8};
 }
@@ -135,10 +135,10 @@ static whirl_status derived_levels(double reach, double enough, size_t count, de
     return whirl_ok();
 }
 
-/// Derives numbers [count] at h = 0: slopes and their errors, NaN if they cannot be found. Distances begin nearer than
-/// the series says if machines there are impossible or have no place of rest. If the error of some slope is not good, a
-/// second series begins at a sixteenth of the distance: a number that is not smooth a little further away, as near a
-/// double mode, is smooth there.
+/// Derives numbers [count] at h = 0: slopes and their errors, NaN if they cannot be found. The first distance is that
+/// of the series, or a smaller one if machines there are impossible or have no place of rest. If the error of some
+/// slope is not good, a second series begins at a sixteenth of this distance. This helps near a double mode, for
+/// example: a number that is not smooth over the first distance is smooth over the second one.
 static whirl_status derived_extrapolate(derived_series series, size_t count, derived_fn *compute, const void *of,
                                         double *slopes, double *errors) {
     enum { NEARER = 7 };
@@ -747,7 +747,7 @@ whirl_status derived_of_special(const whirl_study *study, const whirl_batch *bat
     if (point->special == WHIRL_GRAZE && forced) status = derived_by_graze(&d, point, &options);
     if (crosses && orbit->multiplier_count > 0 && (forced || orbit->period == 0.0))
         status = derived_by_crossing(&d, point, &options);
-    // The value of the branch's own parameter at the point does not depend on what that parameter is elsewhere.
+    // The point's value of the branch's own parameter has no derivative by that parameter.
     for (size_t p = 0; p < d.by->parameter_count; p++)
         if (strcmp(d.by->parameters[p].name, batch->parameter) == 0) derived_note(&d, 0, p, NAN, NAN);
     return derived_is_missing(&status) ? whirl_ok() : status;

@@ -23,7 +23,7 @@ whirl_status fit_place_machine(const fit_place *p, whirl_machine *machine) {
     return p->of->study->machine(p->of->study->family, &p->batch, NAN, machine);
 }
 
-/// Returns true if the states after two revolutions are nearly equal, as a part of the largest coordinate.
+/// Returns true if a state repeats the state `before`, to 1e-6 of the largest coordinate.
 static bool place_repeats(const whirl_system *system, const double *before, const double *x) {
     double change = 0.0, size = 0.0;
     for (size_t i = 0; i < system->dimension; i++) {

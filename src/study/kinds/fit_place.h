@@ -11,7 +11,7 @@ typedef struct fit_place {
     const fit_motions *of;
     const whirl_fit_motion *motion;
     const double *values; ///< [unknowns]
-    whirl_batch batch;    ///< requests its machine
+    whirl_batch batch;    ///< with which the machine of the place is made
     whirl_given given[WHIRL_MAX_GIVEN];
     whirl_orbit_options options;
 } fit_place;
@@ -22,8 +22,8 @@ void fit_place_make(fit_place *p, const fit_motions *of, size_t index, const dou
 /// Makes the machine of a place, which the caller releases.
 whirl_status fit_place_machine(const fit_place *p, whirl_machine *machine);
 
-/// Finds the orbit on which the machine settles: where its motion nearly repeats or, unless there is a stable orbit
-/// there, after the whole transient. x [dimension] is the start, and workspace.
+/// Finds the orbit on which the machine settles. Searches where the motion nearly repeats, and again after the whole
+/// transient if there is no stable orbit there. x [dimension] is the start, and workspace.
 whirl_status fit_place_begin(const fit_place *p, const whirl_system *system, double *x, whirl_orbit **orbit);
 
 /// Notes the result at a place in *out: the state [dimension] of an orbit, or the number in its place, and its

@@ -12,7 +12,7 @@ enum { STATISTICS_PARTS = 8 };
 /// Pieces of a revolution over which lines are summed up first.
 enum { STATISTICS_PIECES = 16 };
 
-/// A recorded motion: what each number of the place is taken from, at every instant.
+/// A recorded motion: at every instant, for each number of the place, the quantity from which the number is computed.
 typedef struct statistics_record {
     const fit_place *place;
     const whirl_system *system;
@@ -86,8 +86,8 @@ static void statistics_turn(const double *f, size_t count, size_t instants, doub
     }
 }
 
-/// Returns the size of the line whose order is `more` above that of the turned series: within a piece the difference
-/// turns it by little, which shortens its sum by sin(a)/a.
+/// Returns the size of the line whose order is `more` above the order by which the series was turned back. Within a
+/// piece this line still turns, by a small angle 2 a, which shortens its sum by the factor sin(a)/a.
 static double statistics_size(const statistics_turned *t, double more) {
     const double step = two_pi * more / STATISTICS_PIECES, half = 0.5 * step;
     const double turn_cos = cos(step), turn_sin = sin(step);

@@ -60,8 +60,8 @@ static whirl_status search_from(const rows *r, const whirl_system *system, const
 }
 
 /// Returns true if a search from x, at a value, finds the given orbit, at any of its revolutions. Near a crossing,
-/// whose orbit is `crossing` (or NULL), orbits are ill-conditioned and count as one within a tenth of the distance from
-/// there.
+/// whose orbit is `crossing` (or NULL), orbits are ill-conditioned. There two orbits count as one if they are closer
+/// than a tenth of their distance from the crossing's orbit.
 static bool leads_to(const rows *r, double value, const double *x, const whirl_orbit *orbit,
                      const whirl_orbit *crossing) {
     whirl_machine machine;
@@ -100,8 +100,9 @@ static bool is_known(const rows *r, const whirl_orbit *orbit, double value, cons
     return known;
 }
 
-/// Returns true if a row's branch, which ended at a doubling, ended at this doubling: it is within the last step, and
-/// the middle of the last orbit leads to that orbit.
+/// Returns true if a row's branch, which ended at a doubling, ended at this doubling: the row's value is within the
+/// branch's last step of the doubling's, and a search from the mean of the two halves of the row's orbit finds the
+/// doubling's orbit.
 static bool ended_there(const rows *r, size_t row, const whirl_branch_point *doubling, double *x) {
     const size_t k = doubling->orbit->revolutions, d = doubling->orbit->dimension;
     const double *nodes = rows_nodes(r, row), *later = nodes + k * (size_t)r->batch->record.trace.segments * d;

@@ -1,5 +1,5 @@
-/// The pieces of a pass (points with those carried from them, neighbours at rest) as they are dealt to threads and, if
-/// points are dealt out, to other runs.
+/// Deals the pieces of a pass to threads and, if several runs share the points, to other runs. A piece is a row of
+/// points, each carried from the one before, or a few neighbouring points at rest.
 #ifndef STUDY_DEAL_H
 #define STUDY_DEAL_H
 

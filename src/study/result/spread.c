@@ -111,11 +111,11 @@ typedef struct drawn {
     double *numbers;
 } drawn;
 
-/// Sums over the samples of one replicate, and of all.
+/// Sums over the samples of one replicate, and of all. A and B are the first two machines of a sample. Their numbers
+/// are a and b; a_i is the number of A with parameter i of B.
 typedef struct sums {
-    double count, first, second;        ///< values of A and B: their number, sum and sum of squares
-    double pairs[WHIRL_MAX_TOLERANCES]; ///< number of samples with a, b and a_i: the numbers of A, of B, and of A with
-                                        ///< parameter i of B
+    double count, first, second;              ///< values of A and B: their number, sum and sum of squares
+    double pairs[WHIRL_MAX_TOLERANCES];       ///< number of samples with a, b and a_i
     double products[WHIRL_MAX_TOLERANCES];    ///< sums of b (a_i - a)
     double differences[WHIRL_MAX_TOLERANCES]; ///< sums of (a - a_i)^2
 } sums;

@@ -209,9 +209,9 @@ static whirl_status bearing_surplus(const whirl_bearing *of, double temperature,
     return whirl_ok();
 }
 
-/// Finds the film temperature, to a thousandth of a kelvin, between that of the inlet and the one that the film would
-/// have with the inlet's viscosity. Solves on a mesh half as fine, then corrects on the fine mesh by the coarse one's
-/// slope.
+/// Finds the film temperature, to a thousandth of a kelvin. It lies between the temperature of the inlet and the one
+/// that the film would have with the inlet's viscosity. Solves on a mesh half as fine, then corrects on the fine mesh,
+/// with the slope found on the coarse one.
 static whirl_status balance_heat(const whirl_bearing *of, whirl_bearing_point *point) {
     static const double hottest = 473.15, enough = 1e-3;
     double value, slope = 1.0, at = of->temperature;

@@ -319,7 +319,7 @@ static bool worker_next(worker *w, whirl_recorder *recorder, whirl_status *statu
 
 // ---------------------------------------------------------------- motions end
 
-/// Computes the block of a point, or the verdict that is compared with its own.
+/// Computes the block of a point, or the verdict that is compared with the point's own.
 static whirl_status worker_analyze(const worker *w, const point *p, const whirl_record *record) {
     const pass_work *work = w->work;
     const pass *own = work->pass;
