@@ -97,6 +97,7 @@ whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_
         .twists = system->twist != NULL,
         .axial = system->axial != NULL,
         .torque_count = system->torque_count,
+        .run_shaft_count = system->shaft_count,
         .excitation_count = system->torsion ? system->torsion->excitation_count : 0,
         .path_count = system->torsion ? system->torsion->path_count : 0,
         .options = options,
@@ -148,6 +149,7 @@ whirl_status whirl_layout_known(whirl_layout *layout) {
                                  .twist = no_twist,
                                  .axial = no_twist,
                                  .torque_count = 2,
+                                 .shaft_count = 2,
                                  .torsion = &torsion};
     const whirl_integrate_options integrate = whirl_integrate_default();
     whirl_record_options options = whirl_record_default();

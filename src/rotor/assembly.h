@@ -136,6 +136,7 @@ typedef struct assembly_station {
     const char *name;
     double mass, diametral, polar;  ///< kg, kg m2; a station with a diametral inertia tilts
     double shaft_polar;             ///< kg m2 of the shaft, against twist alone
+    double turned_polar;            ///< kg m2 of the shaft, whether it twists or not
     double shaft_mass, shaft_axial; ///< kg: the shaft's part of `mass`; the shaft's inertia against axial motion, which
                                     ///< replaces shaft_mass there
     double fluid;                   ///< kg of fluid that is moved along; inertia without weight or unbalance
@@ -145,6 +146,7 @@ typedef struct assembly_station {
     double gear;             ///< ratio of its twist to that coordinate; 1 without a rigid gear
     size_t shaft;            ///< shaft of finite elements of which it is a node; NO_SHAFT: none
     bool lumped;             ///< it is on a shaft without segments
+    size_t carrier;          ///< number of the design's shaft that carries it, from 1; 0: none
     double ratio;            ///< ratio of its shaft's speed to the rotor's; 1 without a shaft
     size_t spool;            ///< number of its shaft among those with a speed of their own, from 1; 0: none of these
     double position;         ///< position along that shaft, m

@@ -23,6 +23,22 @@ typedef struct rigid_pair {
     double ratio;
 } rigid_pair;
 
+/// A shaft of a machine with several ones, for the torques of a run: stations between which no gear is.
+typedef struct rotor_shaft {
+    size_t station; ///< its first station
+    size_t spool;   ///< its number among those with a speed of their own, from 1; 0: none of these
+    double turns;   ///< in a rigid turn: the ratio of its angle to that of the rotor, positive about z with that; of a
+                    ///< shaft with a speed of its own 1
+    double polar;   ///< kg m2, inertia of its stations and segments; 0: not known
+} rotor_shaft;
+
+/// A part of a shaft that twists: a station, or a node between stations.
+typedef struct rotor_part {
+    size_t shaft;
+    station_twist twist;
+    double polar; ///< kg m2
+} rotor_part;
+
 struct whirl_rotor {
     double speed, clock, length;
     double cross_coupling; ///< sum of the cross couplings of all stages, N/m
@@ -81,6 +97,11 @@ struct whirl_rotor {
     shaft_drive spool_drives[WHIRL_MAX_SPOOLS]; ///< [spool_count] as in the assembly
     size_t *spool_of;                           ///< [station_count] spool that carries a station, from 1; 0: none
     double *housing_turns;                      ///< [station_count] as assembly_housing_ratio
+    size_t shaft_count;                         ///< shafts whose torques a run tells apart; 0: there is only one
+    rotor_shaft shafts[WHIRL_MAX_RUN_SHAFTS];   ///< [shaft_count] that of the motor or of the rotor's speed comes first
+    size_t *shaft_of;                           ///< [station_count] index among them
+    size_t part_count;
+    rotor_part *parts; ///< [part_count] what twists of these shafts
     size_t torque_count;
     shaft_torque *torques; ///< [torque_count] as in the assembly
     size_t link_count;
@@ -127,6 +148,9 @@ void rotor_lanes_fill(whirl_rotor *rotor);
 
 /// Finds the rigid turn of a rotor whose stations twist, from its links and elements (turn.c).
 void rotor_find_turn(whirl_rotor *rotor, const assembly *from);
+
+/// Tells the shafts of a machine apart for the torques of a run. To be called after rotor_find_turn (run_shafts.c).
+void rotor_find_shafts(whirl_rotor *rotor, const assembly *from);
 
 /// Computes accelerations by time from forces [degrees], N or N m, including mass coupling: out [degrees] in units of
 /// the coordinates.

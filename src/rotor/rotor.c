@@ -96,7 +96,9 @@ static size_t rotor_lay_out(whirl_rotor *rotor, char *block, const building *b) 
         cut(block, &used, stations * sizeof *rotor->axials),
         cut(block, &used, stations * sizeof *rotor->spool_of),
         cut(block, &used, stations * sizeof *rotor->housing_turns),
-        cut(block, &used, stations * sizeof *rotor->axial_stations)};
+        cut(block, &used, stations * sizeof *rotor->axial_stations),
+        cut(block, &used, stations * sizeof *rotor->shaft_of),
+        cut(block, &used, b->assembly.station_count * sizeof *rotor->parts)};
     // Point to the parts, in the same order.
     if (!rotor) return used;
     rotor->elements = parts[0];
@@ -139,6 +141,8 @@ static size_t rotor_lay_out(whirl_rotor *rotor, char *block, const building *b) 
     rotor->spool_of = parts[37];
     rotor->housing_turns = parts[38];
     rotor->axial_stations = parts[39];
+    rotor->shaft_of = parts[40];
+    rotor->parts = parts[41];
     return used;
 }
 
@@ -424,6 +428,7 @@ static whirl_rotor *rotor_finish(building *b) {
     }
     add_elements_to(rotor, b);
     rotor_find_turn(rotor, &b->assembly);
+    rotor_find_shafts(rotor, &b->assembly);
     // Fill in the functions of lanes and of the system.
     rotor->lanes.degrees = b->assembly.degrees;
     rotor_find_torsion(rotor, &b->assembly);

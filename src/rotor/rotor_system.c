@@ -434,6 +434,7 @@ void rotor_system_fill(whirl_rotor *rotor) {
                                    .axial_count = rotor->axial_probe_count,
                                    .axial_stations = rotor->axial_stations,
                                    .torque_count = rotor_watched_count(rotor),
+                                   .shaft_count = rotor->shaft_count,
                                    .spool_count = rotor->spool_count,
                                    .spools = rotor->spools,
                                    .torsion = rotor->twist_count > 0 ? &rotor->torsion : NULL,

@@ -100,17 +100,6 @@ static whirl_status running_find_numbers(running_rotor *r, whirl_machine_at *mak
 
 // ---------------------------------------------------------------- what turns with the shaft
 
-/// Computes the lever of element `index` if it is an unbalance that turns at a fixed ratio of the shaft's speed, with
-/// the numbers of the speed w and the states [own->states]. Returns what element_type.lever returns, 0 for other
-/// elements.
-static double running_geared_lever(const running_rotor *r, size_t index, double w, const double *states,
-                                   double lever[2]) {
-    element own = r->rotor->elements[index];
-    if (!own.type->lever || own.states == 0 || own.spool > 0) return 0.0;
-    own.number = r->numbers + own.first_number;
-    return own.type->lever(&own, w * r->unit, states, lever);
-}
-
 /// Counts the unbalances that turn at fixed ratios of the speed, and sums their effect on the inertia of the shaft: m
 /// (U/m)^2 for an unbalance U at a station of mass m, times the square of the ratio.
 static void running_count_geared(running_rotor *r) {
@@ -277,13 +266,6 @@ static double running_turns_of(const running_rotor *r, size_t station) {
     return r->rotor->rigid[own->coordinate] * own->share;
 }
 
-/// A state whose derivatives are by the angle: the exact speed of the shaft; the speed w by which derivatives by the
-/// angle were taken (at least `slowest`); the angle; and the state.
-typedef struct running_state {
-    double exact, w, angle;
-    const double *x;
-} running_state;
-
 /// Returns the shaft of a station: 0 the rotor's own, from 1 one with a speed of its own.
 static size_t running_shaft_of(const running_rotor *r, size_t station) {
     return station != NO_STATION ? r->rotor->spool_of[station] : 0;
@@ -346,6 +328,14 @@ static double running_load_at(const running_rotor *r, const running_state *s) {
                                               : -drive_load(drive, at.speed, r->slip);
 }
 
+/// Returns the torques by shafts of the shaft of a station; those of the machine as a whole if stations twist, and this
+/// one does not.
+static whirl_shaft_torques *running_ledger_of(const running_rotor *r, size_t station) {
+    const whirl_rotor *rotor = r->rotor;
+    if (rotor->twist_count > 0 && !running_twists(r, station)) return &r->ledger[rotor->shaft_count];
+    return &r->ledger[station == NO_STATION ? 0 : rotor->shaft_of[station]];
+}
+
 /// Adds the torques of the motor and load of shaft k with a speed of its own.
 static void running_drive_spool(const running_rotor *r, size_t k, const running_state *s, whirl_torques *out) {
     const shaft_drive *drive = &r->rotor->spool_drives[k];
@@ -382,7 +372,9 @@ static double running_add_reaction(const running_rotor *r, const element *contac
         return 0.0;
     }
     // The stator of a contact within the rotor's own shaft counts as standing.
-    return running_shaft_of(r, contact->station) > 0 ? r->rotor->housing_turns[housing] * brake : 0.0;
+    const double turns = running_shaft_of(r, contact->station) > 0 ? r->rotor->housing_turns[housing] : 0.0;
+    if (turns != 0.0) running_ledger_of(r, housing)->friction += copysign(brake, turns * brake);
+    return turns * brake;
 }
 
 /// Adds the friction of contacts; to `spools` the torques on shafts with a speed of their own. Returns the part that
@@ -407,9 +399,19 @@ static double running_add_friction(const running_rotor *r, const double *x, doub
             continue;
         }
         *sum -= own;
+        running_ledger_of(r, contact->station)->friction -= own;
         whole += running_add_torque(r, contact->station, -own);
     }
     return whole;
+}
+
+/// Notes the drag, about the rotor's axis, on a station that turns `turns` times as fast as the rotor.
+static void running_note_drag(const running_rotor *r, size_t station, double turns, double torque) {
+    whirl_shaft_torques *ledger = running_ledger_of(r, station);
+    const size_t shaft = (size_t)(ledger - r->ledger);
+    // A ratio that the element gives itself may differ from that of its station's shaft: the power counts.
+    const double of = shaft < r->rotor->shaft_count ? fabs(r->rotor->shafts[shaft].turns) : 1.0;
+    ledger->drag += turns * torque / of;
 }
 
 /// Adds the drag of films and seals, with the numbers of the present speed; to `spools` that on shafts with a speed of
@@ -441,6 +443,7 @@ static double running_add_drag(const running_rotor *r, const running_state *s, d
             const bool twists = running_twists(r, station[k]);
             const double turns = twists ? running_turns_of(r, station[k]) : own->fluid.turns[k];
             *sum += turns * torque[k];
+            running_note_drag(r, station[k], turns, torque[k]);
             whole +=
                 twists ? running_add_torque(r, station[k], copysign(torque[k], torque[k] * turns)) : turns * torque[k];
         }
@@ -456,8 +459,11 @@ static double running_find_torques(const running_rotor *r, double *numbers, cons
     const whirl_rotor *rotor = r->rotor;
     const double *state = s->x + rotor->system.dimension;
     memset(r->torque, 0, rotor->lanes.degrees * sizeof *r->torque);
+    memset(r->ledger, 0, (rotor->shaft_count + 1) * sizeof *r->ledger);
     out->motor = running_motor_at(r, s);
     out->load = running_load_at(r, s);
+    if (rotor->drive.given) running_ledger_of(r, rotor->drive.at)->motor += out->motor;
+    if (rotor->drive.given) running_ledger_of(r, rotor->drive.load_at)->load += out->load;
     double whole = running_add_torque(r, rotor->drive.given ? rotor->drive.at : NO_STATION, out->motor) +
                    running_add_torque(r, rotor->drive.given ? rotor->drive.load_at : NO_STATION, out->load);
     for (size_t i = 0; i < rotor->torque_count; i++) {
@@ -467,7 +473,9 @@ static double running_find_torques(const running_rotor *r, double *numbers, cons
         if (shaft > 0) {
             *(law->motor ? &spools[shaft - 1].motor : &spools[shaft - 1].load) += torque;
         } else {
+            whirl_shaft_torques *ledger = running_ledger_of(r, rotor->torques[i].station);
             *(law->motor ? &out->motor : &out->load) += torque;
+            *(law->motor ? &ledger->motor : &ledger->load) += torque;
             whole += running_add_torque(r, rotor->torques[i].station, torque);
         }
         state += law->states;
@@ -500,26 +508,6 @@ static void running_add_geared(const running_rotor *r, double w, const double *x
     }
 }
 
-/// Computes the levers of the unbalances that turn with the shaft, at the values C and S of the forcing. The levers of
-/// a coordinate are the force on it and its acceleration by a unit of theta''.
-static void running_find_levers(const running_rotor *r, const double *forcing) {
-    const double way = r->rotor->way, c = way * forcing[COS_TAU], s = way * forcing[SIN_TAU];
-    const turning_inertia *guided = r->how.lost ? r->lost_guided : r->rotor->guided;
-    for (size_t i = 0; i < 2; i++) r->guided_lever[i] = guided[i].cos * s - guided[i].sin * c;
-    for (size_t i = 0; i < r->rotor->lanes.degrees; i++) {
-        r->lever_force[i] = r->force_cos[i] * s - r->force_sin[i] * c;
-        r->lever_acceleration[i] = r->own_cos[i] * s - r->own_sin[i] * c;
-        if (!r->how.lost) continue;
-        r->lever_force[i] += r->lost_force_cos[i] * s - r->lost_force_sin[i] * c;
-        r->lever_acceleration[i] += r->lost_cos[i] * s - r->lost_sin[i] * c;
-    }
-}
-
-/// Returns the pull of gravity along x (way: 0) or y (way: 1) minus the acceleration of the ground, m/s2; 0 otherwise.
-static double running_pull(const running_rotor *r, size_t way) {
-    return way < 2 ? r->rotor->pull[way] - r->shake[way] : 0.0;
-}
-
 /// Returns the given rate of the rotor's speed, rad/s2.
 static double running_rate(const running_rotor *r, const running_state *s) {
     double rate = r->how.rate;
@@ -534,12 +522,6 @@ static bool running_is_torqued(const running_rotor *r) {
     for (size_t k = 0; k < r->spool_count; k++) any = any || r->how.spools[k].law == WHIRL_SPOOL_DRIVEN;
     return any;
 }
-
-/// theta'' divided by the square of the unit of speed: all of it, and the part by torques on twists; and that of shafts
-/// with a speed of their own.
-typedef struct faster {
-    double all, twisted, spools[WHIRL_MAX_SPOOLS];
-} faster;
 
 /// Returns a speed within a table over the rotor's speed. Beyond its ends the table has its first and last values.
 static double running_in_table(const whirl_spool_course *own, double speed) {
@@ -924,6 +906,7 @@ static void running_fill_systems(running_rotor *r) {
                          .axial_stations = own->axial_stations,
                          .spool_count = own->spool_count,
                          .spools = own->spools,
+                         .shaft_count = own->shaft_count,
                          .model = r,
                          .stop = own->stop};
     r->by_angle = r->by_time = both;
@@ -1008,6 +991,20 @@ static void running_spool_torques(const whirl_running *running, const double *x,
     for (size_t k = 0; k < r->spool_count; k++)
         if (r->how.spools[k].law != WHIRL_SPOOL_DRIVEN)
             out[k].motor = out[k].load = out[k].friction = out[k].drag = out[k].rotor = NAN;
+}
+
+static void running_shaft_torques(const whirl_running *running, const double *x, double angle,
+                                  whirl_shaft_torques *out) {
+    const running_rotor *r = (const running_rotor *)running;
+    const running_state s = {x[r->at_speed], fmax(x[r->at_speed], slowest), angle, x};
+    double forcing[FORCING_COUNT + WHIRL_MAX_SPOOLS];
+    whirl_torques own, spools[WHIRL_MAX_SPOOLS] = {{.motor = 0.0}};
+    running_find_forcing(r, angle, x, forcing);
+    double *numbers = running_flow(r, s.w, forcing, NULL, x, r->slope);
+    double *a = r->slope + r->rotor->lanes.degrees;
+    const faster by = r->spool_count > 0 ? running_faster_shafts(r, numbers, &s, a, NULL, &own, spools)
+                                         : running_faster(r, numbers, &s, a, NULL, &own);
+    running_complete_shafts(r, &s, forcing, a, &by, spools, out);
 }
 
 static void running_follow(const whirl_running *running, double *x) {
@@ -1137,6 +1134,7 @@ static void running_release(whirl_running *running) {
     for (size_t k = 0; k < r->spool_count; k++) free(r->spools[k].lever_force);
     free(r->spools);
     free(r->spool_at);
+    free(r->ledger);
     free(r->block);
     free(r->along);
     free(r);
@@ -1159,6 +1157,8 @@ static void running_count(running_rotor *r) {
     r->shown.driver = rotor->driver;
     r->shown.watched_count = driven ? rotor->system.torque_count : 0;
     r->shown.spool_count = r->spool_count;
+    r->shown.shaft_count = rotor->shaft_count;
+    r->shown.shaft_of = rotor->shaft_of;
     r->shown.spool_state = r->at_spool;
 }
 
@@ -1196,7 +1196,8 @@ whirl_status whirl_running_new(whirl_machine_at *make, const void *context, doub
     *out = NULL;
     if (r) r->spools = calloc(WHIRL_MAX_SPOOLS, sizeof *r->spools);
     if (r) r->spool_at = calloc(WHIRL_MAX_SPOOLS, sizeof *r->spool_at);
-    if (!r || !r->spools || !r->spool_at) {
+    if (r) r->ledger = calloc(WHIRL_MAX_RUN_SHAFTS + 1, sizeof *r->ledger);
+    if (!r || !r->spools || !r->spool_at || !r->ledger) {
         if (r) running_release(&r->shown);
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine whose speed changes");
     }
@@ -1233,6 +1234,7 @@ whirl_status whirl_running_new(whirl_machine_at *make, const void *context, doub
     r->shown.to_angle = running_to_angle;
     r->shown.torques = running_torques;
     r->shown.spool_torques = running_spool_torques;
+    r->shown.shaft_torques = running_shaft_torques;
     r->shown.follow = running_follow;
     r->shown.watch = running_watch;
     r->shown.watched = running_watched;

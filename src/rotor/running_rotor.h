@@ -166,6 +166,8 @@ typedef struct running_rotor {
     spool_number *spooled; ///< [spooled_count] numbers that change with their speeds
     double *spool_splines; ///< all splines of these
     double *spool_at;      ///< [spool_count] workspace: their speeds for which `numbers` hold
+    /// [shaft_count + 1] workspace: torques by shafts; those on the machine as a whole come last.
+    whirl_shaft_torques *ledger;
 } running_rotor;
 
 /// Finds the fewest powers whose sum is y at all speeds w [count]. Returns false if there is no such sum.
@@ -236,6 +238,39 @@ typedef struct shaft_row {
 /// m/s2, and 0.
 void running_solve_shafts(const running_rotor *r, double w, const double *a, const double pull[3], size_t count,
                           shaft_row *rows);
+
+/// theta'' divided by the square of the unit of speed: all of it, and the part by torques on twists; and that of shafts
+/// with a speed of their own.
+typedef struct faster {
+    double all, twisted, spools[WHIRL_MAX_SPOOLS];
+} faster;
+
+/// A state whose derivatives are by the angle: the exact speed of the shaft; the speed w by which derivatives by the
+/// angle were taken (at least `slowest`); the angle; and the state.
+typedef struct running_state {
+    double exact, w, angle;
+    const double *x;
+} running_state;
+
+/// Computes the lever of element `index` if it is an unbalance that turns at a fixed ratio of the shaft's speed, with
+/// the numbers of the speed w and the states [own->states]. Returns what element_type.lever returns, 0 for other
+/// elements.
+double running_geared_lever(const running_rotor *r, size_t index, double w, const double *states, double lever[2]);
+
+/// Computes the levers of the unbalances that turn with the shaft, at the values C and S of the forcing. The levers of
+/// a coordinate are the force on it and its acceleration by a unit of theta''.
+void running_find_levers(const running_rotor *r, const double *forcing);
+
+/// Returns the pull of gravity along x (way: 0) or y (way: 1) minus the acceleration of the ground, m/s2; 0 otherwise
+/// (these three: running_levers.c).
+double running_pull(const running_rotor *r, size_t way);
+
+/// Completes the torques of the shafts in r->ledger, whose motors, loads, friction and drag are filled in: out
+/// [shaft_count]. a [degrees]: accelerations by the angle without theta'', with the levers of the same state in
+/// workspace, which are overwritten. spools [spool_count]: torques on shafts with a speed of their own
+/// (running_shafts.c).
+void running_complete_shafts(const running_rotor *r, const running_state *s, const double *forcing, double *a,
+                             const faster *by, const whirl_torques *spools, whirl_shaft_torques *out);
 
 /// Fills in `lanes`, `form` and `together` when all other members are filled in. Returns false without memory
 /// (running_lanes.c).

@@ -32,10 +32,22 @@ export interface RunTurn {
   readonly gaps: readonly Float64Array[];
   /// Torques on a shaft that a drive turns, then those of motors, couplings and shafts that twist, N m.
   readonly torques: readonly { readonly name: string; readonly values: Float64Array }[];
+  /// Torques on each shaft of a machine with several, N m; those that are missing or 0 throughout are left out.
+  readonly shafts: readonly ShaftTurn[];
+}
+
+/// Torques on a shaft of a machine with several within a turn.
+export interface ShaftTurn {
+  /// "shaft of pinion to load"
+  readonly name: string;
+  readonly torques: readonly { readonly name: string; readonly values: Float64Array }[];
 }
 
 /// Torques on the shaft, by the columns of the fields runup/torque and runup/orbit_torque.
 export const SHAFT_TORQUES = ['motor', 'load', 'friction', 'unbalance and weight', 'films and seals'] as const;
+
+/// Torques on a shaft of a machine with several, by the columns of the field runup/orbit_shaft_torque.
+const PARTS_OF_SHAFT = [...SHAFT_TORQUES, 'gears', 'inertia times acceleration'] as const;
 
 /// A torque of a motor, or between two stations: its least and largest value in every row, N m. These rows are equal
 /// parts of the run, with or without the end of a turn.
@@ -245,7 +257,27 @@ export class RunUp {
       forces: ofContacts(FIELD.RUNUP_ORBIT_FORCE),
       gaps: ofContacts(FIELD.RUNUP_ORBIT_GAP),
       torques: [...onShaft, ...between].filter(({ values }) => Number.isFinite(values[0])),
+      shafts: this.shaftNames.map((name, shaft) => ({
+        name,
+        torques: PARTS_OF_SHAFT.map((of, i) => ({
+          name: of,
+          values: part(this.column(FIELD.RUNUP_ORBIT_SHAFT_TORQUE, 0, i), shaft * all.length),
+        })).filter(({ values }) => Number.isFinite(values[0]) && values.some((value) => value !== 0)),
+      })),
     };
+  }
+
+  /// Names of the shafts whose torques within a turn are told apart, by their first and last stations; none in a
+  /// machine with one shaft.
+  get shaftNames(): readonly string[] {
+    const instants = this.column(FIELD.RUNUP_ORBIT_INSTANT).length;
+    const count = instants > 0 ? this.column(FIELD.RUNUP_ORBIT_SHAFT_SPEED).length / instants : 0;
+    return Array.from({ length: count }, (_, shaft) => {
+      const on = this.stations.filter((_, s) => this.column(FIELD.RUNUP_ORBIT_SHAFT, s)[0] === shaft);
+      const first = on[0]?.name ?? `${shaft + 1}`;
+      const last = on[on.length - 1]?.name ?? first;
+      return first === last ? `shaft of ${first}` : `shaft of ${first} to ${last}`;
+    });
   }
 
   /// True if torques turn the shaft; false at a given speed or rate.

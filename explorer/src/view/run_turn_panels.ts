@@ -196,13 +196,14 @@ export class TurnTorquePanel extends TurnPanel {
   }
 
   shows({ run }: RunSubject): boolean {
-    return run.driven;
+    return run.driven || run.shaftNames.length > 0;
   }
 
   protected override refresh(): void {
     const { run } = this.subject!;
     const choices = [
       { value: '', text: 'On the shaft' },
+      ...run.shaftNames.map((name) => ({ value: name, text: `On the ${name}` })),
       ...run.torques.map(({ name }) => ({ value: name, text: name })),
     ];
     if (choices.every(({ value }) => value !== this.chosen)) this.chosen = '';
@@ -217,9 +218,12 @@ export class TurnTorquePanel extends TurnPanel {
     const { factor, unit } = parameterMeasure('N m', units);
     const own = new Set(run.torques.map(({ name }) => name));
     // Leave out torques on the shaft that are 0 throughout the turn.
-    const shown = turn.torques.filter(({ name, values }) =>
-      this.chosen ? name === this.chosen : !own.has(name) && values.some((value) => value !== 0),
-    );
+    const shaft = turn.shafts.find(({ name }) => name === this.chosen);
+    const shown =
+      shaft?.torques ??
+      turn.torques.filter(({ name, values }) =>
+        this.chosen ? name === this.chosen : !own.has(name) && values.some((value) => value !== 0),
+      );
     return {
       ...turn,
       axis: labelled('torque', unit),

@@ -149,6 +149,16 @@ typedef struct whirl_torques {
     double acceleration;   ///< rad/s2
 } whirl_torques;
 
+/// Torques on one of the shafts of a machine with several, N m, in the sense of its rotation. Their sum is `inertia`.
+/// All but the speed are NaN where a law gives its speed.
+typedef struct whirl_shaft_torques {
+    double motor, load, friction, rotor, drag; ///< as in whirl_torques, of this shaft alone. Where stations twist, what
+                                               ///< acts on the machine as a whole is dealt out by inertia
+    double gears;   ///< of gears, and of all else that acts; NaN where the polar inertia of a shaft with a ratio is 0
+    double inertia; ///< polar inertia about axes through centres of mass, times the acceleration
+    double speed;   ///< rad/s, where stations twist the mean by inertia
+} whirl_shaft_torques;
+
 /// The motion of a run at equal times, as sensors of a data set take it. Instants before the beginning of the run have
 /// its first state.
 typedef struct whirl_run_motion {
@@ -170,18 +180,21 @@ struct whirl_running {
     const whirl_system *by_angle;
     /// By time, [dimension + 1]: the same with derivatives by time, and the angle as the last number.
     const whirl_system *by_time;
-    bool in_time;         ///< only by_time is valid for this machine: torques depend on time, or stations twist
-    double unit;          ///< speeds in states are multiples of it, rad/s; its inverse, s, is the unit of time
-    double error;         ///< relative interpolation error of numbers between the speeds of the tables; 0: exact
-    bool geared;          ///< unbalances turn at fixed ratios of the shaft's speed
-    size_t driver;        ///< station of the first motor, whose speed triggers events; the number of stations if no
-                          ///< station twists
-    size_t spool_count;   ///< shafts with a speed of their own (whirl_system.spools)
-    size_t spool_state;   ///< index of the angle of the first of them, rad along its rotation, in states; its speed
-                          ///< follows, over `unit`, then angle and speed of the next
-    size_t contact_count; ///< number of contacts
-    size_t watched_count; ///< number of watched torques: those at stations (motors and others), then those between
-                          ///< twists
+    bool in_time;           ///< only by_time is valid for this machine: torques depend on time, or stations twist
+    double unit;            ///< speeds in states are multiples of it, rad/s; its inverse, s, is the unit of time
+    double error;           ///< relative interpolation error of numbers between the speeds of the tables; 0: exact
+    bool geared;            ///< unbalances turn at fixed ratios of the shaft's speed
+    size_t driver;          ///< station of the first motor, whose speed triggers events; the number of stations if no
+                            ///< station twists
+    size_t spool_count;     ///< shafts with a speed of their own (whirl_system.spools)
+    size_t spool_state;     ///< index of the angle of the first of them, rad along its rotation, in states; its speed
+                            ///< follows, over `unit`, then angle and speed of the next
+    size_t shaft_count;     ///< as whirl_system.shaft_count
+    const size_t *shaft_of; ///< [probe_count] shaft of each station, from 0; that of the motor, or the rotor's, is 0;
+                            ///< those with a speed of their own follow
+    size_t contact_count;   ///< number of contacts
+    size_t watched_count;   ///< number of watched torques: those at stations (motors and others), then those between
+                            ///< twists
 
     /// Sets how the shaft turns from now on.
     void (*turn)(whirl_running *running, const whirl_turning *how);
@@ -206,6 +219,9 @@ struct whirl_running {
 
     /// Finds the torques on the shafts with a speed of their own, out [spool_count], along their rotations, likewise.
     void (*spool_torques)(const whirl_running *running, const double *x, double angle, whirl_torques *out);
+
+    /// Finds the torques on all shafts of a machine with several, out [shaft_count], likewise.
+    void (*shaft_torques)(const whirl_running *running, const double *x, double angle, whirl_shaft_torques *out);
 
     /// Sets the speeds of the shafts that follow a formula or the rotor's speed in a state. It changes by the errors of
     /// the integration.

@@ -254,6 +254,9 @@ typedef struct whirl_system {
     size_t torque_count; ///< number of torques that are recorded in run-ups in which a drive turns the shaft
                          ///< (whirl_running.watch)
 
+    size_t shaft_count; ///< shafts whose torques run-ups tell apart, since gears join them or they have speeds of their
+                        ///< own (whirl_running.shaft_torques); 0: there is only one
+
     /// Optional, for machines with stations that twist: what excites them and what carries torque; borrowed.
     const whirl_torsion *torsion;
 
@@ -268,6 +271,9 @@ size_t whirl_watched_probes(const whirl_system *system);
 
 /// Maximum number of shafts of a rotor whose speed does not depend on the rotor's.
 enum { WHIRL_MAX_SPOOLS = 3 };
+
+/// Maximum number of shafts whose torques a run tells apart; a machine with more has no such torques.
+enum { WHIRL_MAX_RUN_SHAFTS = 12 };
 
 /// A shaft whose speed does not depend on the rotor's. Its speeds and torques are positive along its own rotation.
 typedef struct whirl_spool {

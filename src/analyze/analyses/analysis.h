@@ -18,6 +18,7 @@ typedef struct block_shape {
     bool at_rest;                        ///< points are of machines at rest
     bool twists, axial;                  ///< true if stations twist; true if stations move along their shafts
     size_t torque_count;                 ///< as whirl_system.torque_count
+    size_t run_shaft_count;              ///< as whirl_system.shaft_count
     size_t excitation_count, path_count; ///< as in whirl_system.torsion
     const whirl_record_options *options;
 } block_shape;

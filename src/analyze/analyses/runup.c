@@ -73,6 +73,18 @@ static size_t runup_every_torque_and_instant_of_orbits(const block_shape *shape)
     return runup_every_torque(shape) * runup_every_instant_of_orbits(shape);
 }
 
+/// Returns the number of shafts whose torques are told apart within the turns of orbits.
+static size_t runup_shafts_told(const block_shape *shape) {
+    const bool torques = whirl_runup_driven(&shape->options->runup) || shape->options->runup.shaft_count > 0;
+    return torques && runup_every_orbit(shape) > 0 ? shape->run_shaft_count : 0;
+}
+static size_t runup_every_instant_of_shafts(const block_shape *shape) {
+    return runup_shafts_told(shape) * runup_every_instant_of_orbits(shape);
+}
+static size_t runup_with_shafts(const block_shape *shape) {
+    return runup_shafts_told(shape) > 0;
+}
+
 static size_t runup_every_instant_of_an_orbit(const block_shape *shape) {
     return runup_every_orbit(shape) > 0 ? (size_t)shape->options->runup.samples : 0;
 }
@@ -309,6 +321,22 @@ static const field_plan fields[FIELD_COUNT] = {
                              "torques of motors and shafts at the instants of orbits (all instants of the first torque "
                              "of runup/torque_of, then of the next)",
                              WHIRL_PER_POINT, 1, runup_every_torque_and_instant_of_orbits},
+    [ORBIT_SHAFT] =
+        {WHIRL_FIELD_RUNUP_ORBIT_SHAFT, "1",
+         "shaft of the station in runup/orbit_shaft_torque: 0 that of the motor, or the rotor's; then those "
+         "with a speed of their own; then those that gears join",
+         WHIRL_PER_STATION, 1, runup_with_shafts},
+    [ORBIT_SHAFT_TORQUE] =
+        {WHIRL_FIELD_RUNUP_ORBIT_SHAFT_TORQUE, "N m",
+         "motor, load, friction, rotor, drag, gears, inertia (on each shaft of a machine with several at the instants "
+         "of orbits, in the sense of its rotation: all instants of the first shaft, then of the next; gears: what the "
+         "balance leaves for them; inertia: about axes through centres of mass, times the acceleration, which is the "
+         "sum of the others; missing where a law gives the speed, and of gears where a polar inertia is not given)",
+         WHIRL_PER_POINT, RUNUP_SHAFT_PARTS, runup_every_instant_of_shafts},
+    [ORBIT_SHAFT_SPEED] = {WHIRL_FIELD_RUNUP_ORBIT_SHAFT_SPEED, "rad/s",
+                           "speeds of these shafts at the instants of orbits, along their rotation; where stations "
+                           "twist their mean, weighted by inertia",
+                           WHIRL_PER_POINT, 1, runup_every_instant_of_shafts},
     [PEAK_ORBIT] = {WHIRL_FIELD_RUNUP_PEAK_ORBIT, "length",
                     "x, y (as in the orbits, in the turn with the largest motion)", WHIRL_PER_STATION, 2,
                     runup_every_instant_of_an_orbit},
@@ -821,6 +849,8 @@ static void runup_job_end(runup_job *job) {
     if (status.code == WHIRL_OK) runup_fill_end(f, run);
     if (status.code == WHIRL_OK) runup_fill_slow_roll(job->view, &job->options, f->system->probe_count);
     if (status.code == WHIRL_OK) runup_fill_extremes(f, job->running, run);
+    for (size_t s = 0; s < f->system->probe_count && f->views.samples.shafts > 0; s++)
+        *view_numbers(f->view, ORBIT_SHAFT, s) = (double)job->running->shaft_of[s];
     if (status.code == WHIRL_OK && f->torques > 0)
         status = runup_cycles_count(f->histories, f->torques, system, runup_first_path(job->running, system),
                                     view_numbers(job->view, CYCLES, 0), view_numbers(job->view, DAMAGE, 0));

@@ -28,8 +28,9 @@ whirl_status runup_views_new(const block_view *view, const whirl_runup_options *
     views->clockwise = system->probe_count > 0 && whirl_probe_way(&system->probes[0]) < 0.0;
     // Torques within a turn are those of orbits, and of shafts that torques turn.
     const bool torques = options->orbits > 0 && whirl_runup_driven(options);
+    const bool shafts = torques || (options->orbits > 0 && options->shaft_count > 0);
     views->samples = turn_samples_new((size_t)options->samples, whirl_watched_probes(system), contacts,
-                                      torques ? RUNUP_SHAFT_TORQUES + watched : 0);
+                                      torques ? RUNUP_SHAFT_TORQUES + watched : 0, shafts ? system->shaft_count : 0);
     views->history = turn_history_new(turns, &views->samples);
     views->memory = calloc(2 * turns * views->samples.samples, sizeof *views->memory);
     views->largest = calloc(all + 1, sizeof *views->largest);
@@ -108,6 +109,12 @@ static void runup_fill_instants(const runup_views *views, const double *turn, si
             else
                 view_numbers(views->view, ORBIT_TORQUE_COURSE, 0)[(t - RUNUP_SHAFT_TORQUES) * all + first + k] =
                     torque[t];
+        for (size_t s = 0; s < of->shafts; s++) {
+            const double *own = torque + of->torques + RUNUP_SHAFT_NUMBERS * s;
+            double *out = view_numbers(views->view, ORBIT_SHAFT_TORQUE, 0) + RUNUP_SHAFT_PARTS * (s * all + first + k);
+            memcpy(out, own, RUNUP_SHAFT_PARTS * sizeof *own);
+            view_numbers(views->view, ORBIT_SHAFT_SPEED, 0)[s * all + first + k] = own[RUNUP_SHAFT_PARTS];
+        }
     }
 }
 

@@ -451,13 +451,21 @@ static double runup_torque_slope(const runner *r, const double *x, size_t which)
 
 // ---------------------------------------------------------------- turns that are seen
 
-/// Writes the torques on the shaft in a sample, at that angle of the shaft, then the watched ones.
+/// Writes the torques on the shaft in a sample, at that angle of the shaft, then the watched ones, and those of all
+/// shafts of a machine with several.
 static void runup_fill_torques_at(const runner *r, const double *sample, double angle, double *out) {
     const double *placed = runup_placed(r, sample);
+    const turn_samples *to = r->plan->samples;
     whirl_torques found;
-    r->machine->torques(r->machine, placed, angle, &found);
-    runup_list_torques(&found, out);
-    if (r->torques > 0) r->machine->watch(r->machine, placed, angle, out + RUNUP_SHAFT_TORQUES);
+    if (to->torques > 0) {
+        r->machine->torques(r->machine, placed, angle, &found);
+        runup_list_torques(&found, out);
+        if (r->torques > 0) r->machine->watch(r->machine, placed, angle, out + RUNUP_SHAFT_TORQUES);
+    }
+    if (to->shafts == 0) return;
+    whirl_shaft_torques shafts[WHIRL_MAX_RUN_SHAFTS];
+    r->machine->shaft_torques(r->machine, placed, angle, shafts);
+    for (size_t k = 0; k < to->shafts; k++) runup_list_shaft(&shafts[k], out + to->torques + RUNUP_SHAFT_NUMBERS * k);
 }
 
 /// Fills in an instant of a turn from a sample, at that angle of the shaft.
@@ -477,7 +485,7 @@ static void runup_fill_instant(const runner *r, const double *sample, const doub
         *numbers++ = force[c];
         *numbers++ = -runup_switch_of(r, sample, r->machine->contact_switch(r->machine, c));
     }
-    if (r->plan->samples->torques > 0) runup_fill_torques_at(r, sample, angle, numbers);
+    if (r->plan->samples->torques + r->plan->samples->shafts > 0) runup_fill_torques_at(r, sample, angle, numbers);
 }
 
 /// Keeps the instants of a part at equal angles of the turn. from: angle of its beginning, with the angle as variable.

@@ -39,6 +39,12 @@ static inline void runup_list_torques(const whirl_torques *of, double out[RUNUP_
     out[0] = of->motor, out[1] = of->load, out[2] = of->friction, out[3] = of->rotor, out[4] = of->drag;
 }
 
+/// Writes the numbers of a shaft of a machine with several, in the order of results.
+static inline void runup_list_shaft(const whirl_shaft_torques *of, double out[RUNUP_SHAFT_NUMBERS]) {
+    out[0] = of->motor, out[1] = of->load, out[2] = of->friction, out[3] = of->rotor, out[4] = of->drag;
+    out[5] = of->gears, out[6] = of->inertia, out[7] = of->speed;
+}
+
 /// A turn of the shaft.
 typedef struct runup_turn {
     double time, speed;            ///< s, rad/s, at the turn's middle

@@ -6,9 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-turn_samples turn_samples_new(size_t samples, size_t probes, size_t contacts, size_t torques) {
-    turn_samples made = {.samples = samples, .probes = probes, .contacts = contacts, .torques = torques};
-    made.width = 1 + 2 * probes + 2 * contacts + torques;
+turn_samples turn_samples_new(size_t samples, size_t probes, size_t contacts, size_t torques, size_t shafts) {
+    turn_samples made = {
+        .samples = samples, .probes = probes, .contacts = contacts, .torques = torques, .shafts = shafts};
+    made.width = 1 + 2 * probes + 2 * contacts + torques + RUNUP_SHAFT_NUMBERS * shafts;
     made.numbers = calloc((samples + 4) * made.width, sizeof *made.numbers);
     for (size_t i = 0; i < 2 && made.numbers; i++) {
         made.ends[i].numbers = made.numbers + (samples + 2 * i) * made.width;

@@ -14,17 +14,22 @@ typedef struct turn_instant {
 
 /// Instants of a turn at equal angles, the beginning of the turn first. An instant is one row of `numbers`: the time in
 /// s; x and y of every probe, those of axial displacements last; normal force (N) and gap (below 0: pressed in) of
-/// every contact; torques, N m. Lengths are those of the machine.
+/// every contact; torques, N m; numbers of the shafts of a machine with several (RUNUP_SHAFT_NUMBERS each). Lengths are
+/// those of the machine.
 typedef struct turn_samples {
     size_t samples, probes, contacts;
     size_t torques;       ///< those on the shaft (RUNUP_SHAFT_TORQUES), then the watched ones; 0: none are wanted
+    size_t shafts;        ///< shafts whose torques are told apart; 0: none are wanted
     size_t width;         ///< numbers of a row
     double *numbers;      ///< [samples][width]; in one block with the numbers of `ends`
     turn_instant ends[2]; ///< workspace
 } turn_samples;
 
 /// Makes samples of one turn; numbers are NULL without memory. Freed by free(numbers).
-turn_samples turn_samples_new(size_t samples, size_t probes, size_t contacts, size_t torques);
+turn_samples turn_samples_new(size_t samples, size_t probes, size_t contacts, size_t torques, size_t shafts);
+
+/// Numbers of a shaft: its torques as in whirl_shaft_torques, then its speed.
+enum { RUNUP_SHAFT_PARTS = 7, RUNUP_SHAFT_NUMBERS = RUNUP_SHAFT_PARTS + 1 };
 
 /// Fills in the instants at equal angles from one computed instant to before the next one: angles and displacements are
 /// cubic in time between both (Hermite), forces, gaps and torques linear. An instant that is itself a computed one gets

@@ -106,6 +106,59 @@ static void turn_add_torques(const turn_view *t, whirl_figure *figure) {
     if (panel) runup_show_below_legend(panel);
 }
 
+/// Names a shaft of a machine with several: by its name if its speed is its own, else by its stations.
+static void turn_name_shaft(const turn_view *t, size_t shaft, char *name, size_t size) {
+    const size_t own = (size_t)t->table->record.runup.shaft_count;
+    const char *first = NULL, *last = NULL;
+    if (shaft > 0 && shaft <= own) {
+        char word[WHIRL_NAME_SIZE];
+        whirl_runup_shaft_name(&t->table->record.runup, shaft - 1, word);
+        snprintf(name, size, "%s", word);
+        return;
+    }
+    for (size_t s = 0; s < t->of->result->station_count; s++) {
+        const double *of = turn_field(t, WHIRL_FIELD_RUNUP_ORBIT_SHAFT, s);
+        if (!of || *of != (double)shaft) continue;
+        if (!first) first = t->of->result->stations[s].name;
+        last = t->of->result->stations[s].name;
+    }
+    if (!first)
+        snprintf(name, size, "shaft %zu", shaft + 1);
+    else
+        snprintf(name, size, first == last ? "shaft of %.60s" : "shaft of %.60s to %.60s", first, last);
+}
+
+/// Adds the torques on each shaft of a machine with several, a panel each. Returns false if it has only one.
+static bool turn_add_shafts(const turn_view *t, whirl_figure *figure) {
+    static const char *const names[] = {"motor", "load", "friction", "rotor", "drag", "gears", "inertia"};
+    enum { PARTS = sizeof names / sizeof *names, INERTIA = PARTS - 1 };
+    const whirl_field *listed = whirl_layout_field(&t->table->layout, WHIRL_FIELD_RUNUP_ORBIT_SHAFT_SPEED);
+    const double *values = turn_field(t, WHIRL_FIELD_RUNUP_ORBIT_SHAFT_TORQUE, 0);
+    const size_t all = (size_t)t->table->record.runup.orbits * t->samples;
+    const whirl_unit *unit = &t->of->units->of[WHIRL_QUANTITY_MOMENT];
+    if (!listed || !values || all == 0) return false;
+    for (size_t shaft = 0; shaft < listed->rows / all; shaft++) {
+        const double *own = values + PARTS * (shaft * all + t->orbit * t->samples);
+        whirl_panel *panel = NULL;
+        for (size_t i = 0; i < PARTS; i++) {
+            double largest = 0.0;
+            for (size_t k = 0; k < t->samples; k++) largest = fmax(largest, fabs(own[PARTS * k + i]));
+            if (!(largest > 0.0)) continue;
+            if (!panel) panel = turn_panel("shaft-torque", 3.2, figure);
+            if (!panel) return true;
+            snprintf(panel->y.label, sizeof panel->y.label, "torque (%s)", unit->name);
+            whirl_series *line =
+                panel_named(figure, panel, WHIRL_LINE, names[i], i == INERTIA ? "#9A9A9A" : line_colour(i + 1), 0.7);
+            if (line) line->dashed = i == INERTIA;
+            turn_line(t, figure, line, own, PARTS, i, 1.0 / unit->size);
+        }
+        if (!panel) continue;
+        turn_name_shaft(t, shaft, panel->title, sizeof panel->title);
+        runup_show_below_legend(panel);
+    }
+    return true;
+}
+
 /// Adds the torques of motors, shafts, couplings and meshes, the first ones, a panel each.
 static void turn_add_courses(const turn_view *t, whirl_figure *figure) {
     const whirl_field *listed = whirl_layout_field(&t->table->layout, WHIRL_FIELD_RUNUP_TORQUE_OF);
@@ -159,19 +212,21 @@ static void turn_describe(const drawing *of, const figure_place *place, whirl_fi
     turn_add_motion(&t, figure);
     const bool axial = turn_add_axial(&t, figure);
     turn_add_contacts(&t, figure);
-    turn_add_torques(&t, figure);
+    const bool shafts = turn_add_shafts(&t, figure);
+    if (!shafts) turn_add_torques(&t, figure);
     turn_add_courses(&t, figure);
     // Describe the turn and the panels.
     const whirl_unit *seconds = &of->units->of[WHIRL_QUANTITY_TIME], *rate = &of->units->of[WHIRL_QUANTITY_SPEED];
     snprintf(figure->caption, sizeof figure->caption,
              "%.60s in the turn at %.5g %.16s, %.5g %.16s, over the angle of the shaft from the mark on%s%s%s. Torques "
-             "are positive where they drive; those that are 0 throughout the turn are left out.",
+             "are positive where they drive; those that are 0 throughout the turn are left out.%s",
              of->result->stations[t.station].name, times[t.orbit] / seconds->size, seconds->name,
              speeds[t.orbit] / rate->size, rate->name,
              of->result->stations[t.station].twists ? "" : ": orbit (dot: at the mark) and motion",
              axial ? "; axial displacement" : "",
              of->result->contact_count > 0 ? "; normal forces and gaps of contacts, below 0 where they are compressed"
-                                           : "");
+                                           : "",
+             shafts ? " Dashed: inertia of a shaft times its acceleration, the sum of the torques on it." : "");
     runup_caption_runs(of, table, 1, figure);
 }
 

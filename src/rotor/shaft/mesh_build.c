@@ -11,6 +11,7 @@ void mesh_inertia(const mesh *from, assembly *to) {
         at->shaft = from->nodes[i].shaft;
         at->position = from->nodes[i].z;
         at->ratio = from->shafts[at->shaft].ratio;
+        at->carrier = at->shaft + 1;
         at->spool = from->shafts[at->shaft].spool;
         at->hidden = !at->name;
         at->twists = at->twists || from->shafts[at->shaft].twists;
@@ -21,6 +22,7 @@ void mesh_inertia(const mesh *from, assembly *to) {
         const size_t shaft = from->lumped[s];
         if (shaft == NO_SHAFT) continue;
         to->stations[s].lumped = true;
+        to->stations[s].carrier = shaft + 1;
         to->stations[s].ratio = from->shafts[shaft].ratio;
         to->stations[s].spool = from->shafts[shaft].spool;
     }
@@ -35,8 +37,9 @@ void mesh_inertia(const mesh *from, assembly *to) {
             at->mass += mass;
             at->diametral += matrices.lumped_diametral[end];
             at->pull_moment += lumped ? 0.0 : matrices.weight[2 * end + 1];
-            if (from->shafts[from->pieces[i].shaft].twists)
-                at->shaft_polar += matrices.twist.inertia[2 * end] + matrices.twist.inertia[1];
+            const double polar = matrices.twist.inertia[2 * end] + matrices.twist.inertia[1];
+            at->turned_polar += polar;
+            if (from->shafts[from->pieces[i].shaft].twists) at->shaft_polar += polar;
             if (!from->shafts[from->pieces[i].shaft].axial) continue;
             at->shaft_mass += mass;
             at->shaft_axial += matrices.stretch.inertia[2 * end] + matrices.stretch.inertia[1];
