@@ -171,7 +171,7 @@ static whirl_status fit_heading(fit_maker *m, size_t column, bool vectors) {
     return *heading->unit ? csv_unit(&m->table, column, unit, unit, &own->size) : whirl_ok();
 }
 
-/// Assigns each column of lags to the column of its amplitude. Fails for a lag without one.
+/// Assigns each column of lags to the column of its amplitude. Fails for a lag without an amplitude.
 static whirl_status fit_join_lags(fit_maker *m) {
     for (size_t c = 0; c < m->table.column_count; c++) {
         const fit_column *lag = &m->columns[c];

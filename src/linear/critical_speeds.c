@@ -298,8 +298,8 @@ static void spread(const matrices *of, const double *v, double *out) {
     for (size_t i = 0; i < of->count; i++) memcpy(out + 2 * of->places[i], v + 2 * i, 2 * sizeof *out);
 }
 
-/// Combines the m shapes of one speed. Any combination of them is a shape; chosen are those with the most definite
-/// directions of whirl, forward first. work: 8 m m + 2 m + 4 m n numbers.
+/// Combines the m shapes of one speed. Any combination of them is a shape, too; the combinations with the most definite
+/// directions of whirl are chosen, forward first. work: 8 m m + 2 m + 4 m n numbers.
 static bool sort_directions(const whirl_system *system, size_t m, double *shapes, double *work) {
     if (m < 2) return true;
     const size_t d = system->dimension, all = 2 * m;

@@ -217,9 +217,9 @@ static bool modes_is_apart(size_t n, const sized *order, size_t count) {
     return count == 0 || count == n || order[count].size > order[count - 1].size * (1.0 + 1e-12);
 }
 
-/// Replaces the slowest roots, up to the last one that rounding of the matrix [n][n], s->copy, may change in the
-/// seventh digit, and their vectors by those of the inverse. Keeps the roots of a matrix that is singular to rounding.
-/// Returns false without memory.
+/// Replaces the slowest roots and their vectors by those of the inverse matrix: all up to the last root that rounding
+/// of the matrix [n][n], s->copy, may change in the seventh digit. Keeps the roots of a matrix that is singular to
+/// rounding. Returns false without memory.
 static bool modes_sharpen_slowest(size_t n, solving *s) {
     static const double doubtful = 1e-6;
     double *block = calloc(2 * n * n + 3 * n + 1, sizeof *block);

@@ -158,7 +158,8 @@ static void write_widths(FILE *stream, const selection *chosen) {
 }
 
 /// Writes the second and third parameter of a map, its columns, rows and planes in the page, and the cell of every
-/// point, counted row by row and plane by plane, unless point n is in cell n.
+/// point. Cells are counted row by row and plane by plane. They are left out if there is a point for every cell: then
+/// point n is in cell n.
 static bool write_cells(FILE *stream, const selection *chosen) {
     const page_grid grid = grid_of(chosen);
     script_key(stream, ',', "map");

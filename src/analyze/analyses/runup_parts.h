@@ -127,8 +127,8 @@ typedef struct runup_history {
     double *values;
     bool full;                ///< there were more than can be kept
     bool idle;                ///< the torque was 0 at the last instant
-    double began, time, open; ///< time of the first instant; time since then until the last instant, and the part of it
-                              ///< without torque; s
+    double began, time, open; ///< s: time of the first instant; time from there to the last instant; how much of this
+                              ///< time was without torque
 } runup_history;
 
 /// Notes torques [torques] at a time, s, that follows the last one. Returns false without memory.

@@ -66,7 +66,7 @@ void runup_fill_slow_roll(const block_view *view, const whirl_runup_options *opt
             vector[2 * axis] = creal(roll[axis]);
             vector[2 * axis + 1] = -cimag(roll[axis]);
         }
-        // Subtract it at all speeds, unless it changes too much near its own.
+        // Subtract the slow roll at all speeds, unless it changes too much near its own speed.
         *change = slow_roll_change(view, p, roll, at, options->slow_roll, rows);
         for (size_t row = 0; row < rows && *change <= WHIRL_MAX_SLOW_ROLL_CHANGE; row++) {
             const double complex x = slow_roll_vector(view, p, row, 0) - roll[0];

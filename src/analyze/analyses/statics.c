@@ -91,8 +91,9 @@ static bool film_of_probe(const whirl_system *system, const double *x, size_t pr
     return system->film && system->film(system->model, x, probe, out);
 }
 
-/// Adds to force [2] the force on the journal of a film: the acceleration of its station by `slope`, and the same for
-/// the journals whose films have this station as their housing, such as the inner film of a floating ring.
+/// Adds to force [2] the force on the journal of a film: the acceleration of the journal's station, of 1 kg, in
+/// `slope`. Adds the same for the journals whose films have this station as their housing, such as the inner film of a
+/// floating ring.
 static void force_of_film(const whirl_system *alone, const double *x, const double *slope, size_t probe, size_t inner,
                           double *force) {
     enum { MAX_INNER = 4 };

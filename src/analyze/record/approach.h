@@ -32,8 +32,8 @@ whirl_status approach_take(approach *a, orbit_search *s, const settling *states,
 /// Compares the last return with its prediction, if an orbit is known. Called before approach_arrives.
 void approach_goes_on(approach *a, const settling *states);
 
-/// Returns true if the motion, at the start of the orbit's first revolution, is so near a stable orbit, and approaches
-/// it as its multipliers predict, that it must settle on it.
+/// Returns true if the motion, at the start of the orbit's first revolution, must settle on a stable orbit: it is near
+/// enough, and approaches the orbit as the orbit's multipliers predict.
 bool approach_arrives(const approach *a, const settling *states);
 
 /// Returns the orbit that was found last, NULL without one; owned by the approach.

@@ -355,7 +355,8 @@ static void runup_fill_weights(runup_weights *of, double share, double angle) {
     }
 }
 
-/// Finds the weights of the samples of a part. With the angle as variable those of a whole turn are always the same.
+/// Finds the weights of the samples of a part. With the angle as variable the weights of a whole turn are always the
+/// same.
 static void runup_find_weights(runner *r, double passed, double step, size_t count) {
     if (!r->by_time && r->weights_passed == passed && r->weights_step == step) return;
     r->weights_passed = r->by_time ? (double)NAN : passed;

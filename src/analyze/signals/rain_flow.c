@@ -87,8 +87,8 @@ static whirl_status damage_check(const double *ranges, const double *lives, size
     return whirl_ok();
 }
 
-/// Returns the cycles to failure of a range up to the largest of the curve. The curve is straight lines over
-/// logarithms, of which the last one is extended.
+/// Returns the cycles to failure of a range up to the largest of the curve. Over logarithms the curve consists of
+/// straight lines, the last of which is extended.
 static double damage_life(double range, const double *ranges, const double *lives, size_t points, double slope) {
     if (points == 1) return lives[0] * pow(ranges[0] / range, slope);
     size_t i = 1;

@@ -59,10 +59,10 @@ typedef struct line_search {
     sinusoid lines[WHIRL_MAX_LINES];
 } line_search;
 
-/// Returns the transform of the Hann window at a distance from its centre, where it is 1 (Harris 1978). That of the
-/// rectangular window is e^(-i angle (count - 1)/count) sin(angle)/(count sin(angle/count)), angle = pi bins. That of
-/// the Hann window is this one minus half of the same one bin above and below, where sin(angle) and the phase are the
-/// same except for their signs.
+/// Returns the transform of the Hann window at a distance from its centre, where it is 1 (Harris 1978). The rectangular
+/// window has D(bins) = e^(-i angle (count - 1)/count) sin(angle)/(count sin(angle/count)), angle = pi bins. The Hann
+/// window has D(bins) - (D(bins - 1) + D(bins + 1))/2. All three terms share sin(angle), up to the sign, and their
+/// phases differ by pi/count.
 static double complex hann_lobe(const line_search *search, turn whole, turn part) {
     // At the bins 0, 1 and -1 both sides of a quotient are 0. Only frequencies at half the sampling rate come so close.
     const double least = 1e-12;

@@ -1,7 +1,7 @@
 // The transform between bins, by Gaussian gridding (Greengard and Lee 2004, SIAM Review 46, 443).
 // The transform between bins is interpolated in a longer FFT. The samples, numbered n from their middle, are multiplied
-// by exp(+t n^2) and padded with zeros to twice their number or more. In the transform of these the factor is undone by
-// a convolution with the transform of exp(-t n^2), a Gaussian, of which the nearest places suffice. The longer
+// by exp(+t n^2) and padded with zeros to twice their number or more. In the FFT of these the factor is undone by a
+// convolution with the transform of exp(-t n^2). This is a Gaussian, so only the nearest places count. The longer
 // transform's length is a power of two, so that a number of samples with large prime factors costs no more than its
 // neighbours.
 #include "transform.h"
@@ -21,7 +21,8 @@ struct wave_transform {
     double *re, *im; ///< [size] of x + iy
 };
 
-/// Fills in exp(-2 pi i p/size) for p < size/2, each from one of half its index and one of a power of two.
+/// Fills in exp(-2 pi i p/size) for p < size/2. Each is the product of the one at the largest power of two up to p and
+/// the one at the rest of p.
 static void fill_turns(size_t size, double *re, double *im) {
     re[0] = 1.0;
     im[0] = 0.0;

@@ -15,8 +15,8 @@ void wave_transform_free(wave_transform *transform);
 /// Returns the number of samples.
 size_t wave_transform_count(const wave_transform *transform);
 
-/// Sums of x and of y times exp(-2 pi i bin j/count), over the window's sum: the amplitude a of a sinusoid a e^(i
-/// theta) + conj(a) e^(-i theta) at that frequency. Exact to 1e-14 of the largest amplitude.
+/// Sums of x and of y times exp(-2 pi i bin j/count), divided by the window's sum. For a sinusoid a e^(i theta) +
+/// conj(a) e^(-i theta) at that frequency this is its amplitude a. Exact to 1e-14 of the largest amplitude.
 typedef struct wave_amplitudes {
     double complex x, y;
 } wave_amplitudes;

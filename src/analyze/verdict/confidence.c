@@ -15,12 +15,14 @@
 /// Largest remaining distance to the limit, over its size, of a settled motion.
 static const double settled = 1e-6;
 
-/// Standard errors by which exponents must differ from zero, by which halves of a record may differ, and above which an
-/// exponent casts doubt on a motion of steady lines.
+/// Numbers of standard errors. clear_sigmas: by which an exponent must at least differ from zero. steady_sigmas: by
+/// which halves of a record may at most differ. line_sigmas: an exponent above these casts doubt on a motion of steady
+/// lines.
 static const double clear_sigmas = 6.0, steady_sigmas = 4.0, line_sigmas = 3.0;
 
-/// Decimal digits to which averages agree on clear tori and in clear chaos; K of the 0-1 test for regular motion and
-/// for chaos, and the value between.
+/// regular_digits, irregular_digits: decimal digits to which averages at least agree on clear tori, and at most in
+/// clear chaos. regular_walk, random_walk: K of the 0-1 test for regular motion and for chaos; middle: the value
+/// between.
 static const double regular_digits = 4.0, irregular_digits = 3.0, regular_walk = 0.2, random_walk = 0.8, middle = 0.5;
 
 /// Revolutions that establish chaos, and the exponent that excludes a slow departure from another motion.

@@ -31,8 +31,8 @@ evidence evidence_gather(const whirl_record *record);
 /// Returns the evidence of the later half of the recorded revolutions, for a motion that settled late.
 evidence evidence_later_half(const evidence *all);
 
-/// Returns the growth rate of returns, natural logarithm per revolution, negative while the motion settles: from those
-/// in the first and in the last quarter of the recorded revolutions, which are three quarters apart.
+/// Returns the growth rate of returns, natural logarithm per revolution; negative while the motion settles. Compares
+/// the returns in the first quarter of the recorded revolutions with those in the last quarter, three quarters later.
 double settling_rate(const evidence *e);
 
 #endif

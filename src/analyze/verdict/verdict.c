@@ -98,7 +98,7 @@ static bool grows_to_the_end(const evidence *e) {
 }
 
 /// Returns true if the motion may be growing away from a nearby motion: the growth over the record is small enough to
-/// have begun at the start, and the motion is as regular as regular motions.
+/// have begun at the start, and K of the 0-1 test is that of regular motion.
 static bool may_be_leaving(const evidence *e) {
     const double most_folds = 10.0;
     return e->exponent.value * (double)e->points.count < most_folds &&
@@ -179,8 +179,9 @@ static whirl_verdict slow_verdict(const evidence *e, whirl_verdict open) {
     return open;
 }
 
-/// Judges a motion by its spectrum if the section is inconclusive: quasi-periodic if one or two lines and the shaft's
-/// make up all of it, equally in both halves, and perturbations do not grow; else undetermined.
+/// Judges a motion by its spectrum if the section is inconclusive. It is quasi-periodic if perturbations do not grow,
+/// and the lines of one or two frequencies and of the shaft make up the whole motion and stay as they are over the
+/// record; else undetermined.
 static whirl_verdict line_verdict(const evidence *e, const whirl_record *record, whirl_verdict open) {
     const double clear = 0.01; // nearer returns may settle on a lock
     const main_line line = main_line_find(record);

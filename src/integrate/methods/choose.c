@@ -17,8 +17,9 @@ static const double crawl = 1000.0;
 
 enum { PROBED = 16, COUNTED = 4, PHASES = 16 };
 
-/// Limits of a trial run of dop853, about a second: steps (if twice as many are not enough, the motion needs them for
-/// another reason), and multiplications, some n^2 a stage.
+/// Limits of a trial run of dop853, about a second. most_dop853: steps, twice `crawl` in each of PROBED
+/// revolutions; a motion that needs even more does not need them for stability. most_products: multiplications, some
+/// n^2 a stage.
 static const double most_dop853 = 2.0 * PROBED * 1000.0, most_products = 3e9;
 
 /// Limits of a trial run of rodas5p. most_rodas5p: multiplications, some n^3 a step, about a second. telling_rodas5p:

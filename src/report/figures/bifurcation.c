@@ -137,7 +137,7 @@ void bifurcation_kind_name(const bifurcation *of, size_t kind, char text[WHIRL_N
         snprintf(text, WHIRL_NAME_SIZE, "attractor %zu", kind + 1);
 }
 
-/// Returns the number of attractors, at most that of their colours.
+/// Returns the number of attractors, but at most the number of colours for them.
 static size_t count_attractors(const whirl_table *table) {
     size_t most = 0;
     for (size_t i = 0; table->attractors && i < table->count; i++)

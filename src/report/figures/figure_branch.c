@@ -9,7 +9,7 @@
 #include "tori_bands.h"
 #include "two_pi.h"
 
-// Kinds of special points, as whirl_special has them.
+// Kinds of special points, in the order of whirl_special.
 static const struct {
     const char *title, *colour;
     whirl_mark mark;
@@ -34,8 +34,8 @@ static bool branch_same(const whirl_table *table, size_t a, size_t b) {
     return point_number(table, a, WHIRL_FIELD_TRACE_NUMBER) == point_number(table, b, WHIRL_FIELD_TRACE_NUMBER);
 }
 
-/// Returns true if the orbits between two neighbouring points are stable. At a special point stability changes: then
-/// the other point decides.
+/// Returns true if the orbits between two neighbouring points are stable. Point a decides or, if a is a special point,
+/// at which stability changes, point b.
 static bool is_stable(const whirl_table *table, size_t a, size_t b) {
     const size_t solid = branch_kind(table, a) ? b : a;
     return point_number(table, solid, WHIRL_FIELD_TRACE_UNSTABLE) == 0.0;

@@ -72,8 +72,8 @@ whirl_status figure_overlay(whirl_figure *figure, const whirl_figure *other, con
 /// Keeps only the named panels ("x,exponent"). WHIRL_BAD_INPUT for an unknown name.
 whirl_status figure_choose(whirl_figure *figure, const char *names);
 
-/// Finishes a figure: gives axes without a range that of their series, makes the axes named by `log` ("x", "y", "xy",
-/// NULL) logarithmic, and places the panels from the top, as many in a row as fit.
+/// Finishes a figure: gives axes without a range the range of their series, makes the axes named by `log` ("x", "y",
+/// "xy", NULL) logarithmic, and places the panels from the top, as many in a row as fit.
 void figure_finish(whirl_figure *figure, const char *log);
 
 /// Returns the number of rows of the legend above the figure.

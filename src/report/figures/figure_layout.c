@@ -146,8 +146,8 @@ static double left_of(const whirl_figure *figure, const whirl_panel *panel) {
     return panel->y.shown ? BARE + figure_number_width(figure) + label : BARE;
 }
 
-/// Returns the left margin of a panel, cm, the largest of its column: rows with the same number and widths of panels
-/// have the same margins, so that their axes line up.
+/// Returns the left margin of a panel, cm. Rows with the same number and widths of panels share their margins: in each
+/// column the largest that one of its panels needs, so that the axes line up.
 static double left_in_column(const whirl_figure *figure, size_t first, size_t end, size_t panel) {
     double left = 0.0;
     for (size_t other = 0, next; other < figure->count; other = next) {

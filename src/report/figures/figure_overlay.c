@@ -37,7 +37,7 @@ static void overlay_name(whirl_series *series, bool main, const char *word) {
     if (used > 0 || main) snprintf(series->name + used, sizeof series->name - used, used > 0 ? ", %s" : "%s", word);
 }
 
-/// Widens an axis with a range by that of another axis.
+/// Widens an axis that has a range, so that it includes the range of another axis.
 static void overlay_widen(whirl_axis *axis, const whirl_axis *by) {
     if (!isfinite(axis->low) || !isfinite(by->low) || !(axis->high > axis->low)) return;
     axis->low = fmin(axis->low, by->low);

@@ -385,8 +385,9 @@ static bool jump_returns(const line_side *side, const line_jump *jump, const lin
            fabs(side->seen[other->before].order - to) <= drift * to;
 }
 
-/// Returns the jump on the way down that corresponds to a jump on the way up: the nearest jump of its order in the
-/// opposite sense (from large to small, or from small to large), or between the same orders; NULL without one.
+/// Returns the jump on the way down that corresponds to a jump on the way up: the nearest one. Either the order stays,
+/// and one jump is from large to small, the other from small to large; or both jumps are between the same two orders,
+/// in opposite directions. NULL without such a jump.
 static line_jump *jump_partner(const finder *of, const line_side *side, const line_jump *up, line_jump *jumps,
                                size_t count) {
     const double order = side->seen[up->before].order;

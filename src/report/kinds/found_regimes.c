@@ -29,7 +29,7 @@ static void sheet_stretch(const finder *of, whirl_sheet *sheet) {
     sheet_texts(of, sheet, "regime", "regime");
 }
 
-/// Fills the cells of a stretch from one point to another, before that of the regime.
+/// Fills the cells of a stretch from one point to another that come before the cell of the regime.
 static void cells_stretch(const finder *of, whirl_sheet *sheet, size_t from, size_t to) {
     const whirl_table *table = of->table;
     cell_number(of, sheet, table->values[from]);

@@ -29,7 +29,7 @@ typedef struct margin_row {
     double amplification;  ///< amplification factor
     char way[MARGIN_TEXT]; ///< method by which the factor was found: "half power", ...; "half power, of 1.2 points:
                            ///< compute more there"
-    bool judged, holds;    ///< judged: a margin is required; holds: the peak has it
+    bool judged, holds;    ///< judged: a margin is required; holds: the peak has that margin
     double had,
         asked; ///< margin found and required margin, %; NaN without running speeds or probe, or within these speeds
     const char *side;    ///< "above", "below" or "within" the running speeds; "" without these

@@ -22,7 +22,7 @@ typedef struct machine_part {
 typedef struct part_column {
     const char *name, *heading; ///< key and heading of the column
     whirl_quantity quantity;    ///< quantity of the numbers
-    const char *unit;           ///< unit that the numbers have in place of that of the quantity, SI; NULL: none
+    const char *unit;           ///< unit of the numbers if it is not the SI unit of the quantity; else NULL
     const char *key;            ///< key of the elements; NULL: none
     double factor;              ///< factor of the key's number; 0 means 1
     double (*number)(const machine_part *part,
@@ -99,7 +99,8 @@ static const char *part_kind(const machine_part *part) {
     return find_text(part->of->findings, "%s", text);
 }
 
-/// Returns the station of a part: `first`: that of its first end that is not on the ground; else that of the other end.
+/// Returns the station of a part: that of its first end which is not on the ground if `first`, else that of the other
+/// end.
 static size_t part_station(const whirl_model_element *element, bool first) {
     const bool ground = element->station[0] == WHIRL_MODEL_NONE;
     return element->station[first == ground];

@@ -582,7 +582,7 @@ static void runup_find_capture(const finder *of) {
         size_t holding = 0, last = 0;
         for (size_t row = 0; speeds && row < rows->rows; row++)
             if (speeds[3 * row + 2] > 0.0) last = row, holding++;
-        // A single speed that holds the shaft is the one at which it shall run.
+        // If there is only one speed that holds the shaft, the shaft is meant to run there.
         if (holding < 2 || (events && isfinite(events[0]))) continue;
         // Judge each speed below the last that the run reached.
         for (size_t row = 0; row < last; row++) {

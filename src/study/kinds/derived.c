@@ -313,8 +313,8 @@ static bool derived_is_critical(const whirl_spread_at *at) {
     return strcmp(at->field->name, WHIRL_FIELD_MODES_CRITICAL) == 0 && at->index % at->field->columns == 1;
 }
 
-/// Returns the series of a parameter. Numbers of run-ups have the errors of their steps, which limit the slope's error,
-/// and vary more with a parameter than those of machines at rest.
+/// Returns the series of a parameter. Numbers of run-ups contain the errors of their steps, which limit the accuracy of
+/// slopes. They also vary more with a parameter than numbers of machines at rest.
 static derived_series rest_series(const derived *d, size_t parameter) {
     const double size = fabs(d->parameters[parameter]);
     const bool runs = whirl_analysis_has(d->batch->analyses, "runup");
@@ -391,8 +391,8 @@ static void path_mean(const derived_path *path, const double *of, double *out) {
     }
 }
 
-/// Computes the largest (sign 1) or smallest (-1) radius of the path between instants, and its derivatives: those of
-/// the radius at that place, out [width].
+/// Computes the largest (sign 1) or smallest (-1) radius of the path between instants, and the derivatives of the
+/// radius at that place: out [width].
 static void path_extreme(const derived_path *path, double sign, double *out) {
     // Find the instant nearest to the extreme.
     const size_t all = path->all, width = path->width;

@@ -78,8 +78,9 @@ static void find_loose(const whirl_system *system, const double *x, double *work
     }
 }
 
-/// Sets *same if the equilibria x and `rest` differ only by their loose coordinates: with those of `rest`, the search
-/// from x leads to `rest`. No equation determines a loose pad, but the rest of its film's force moves the journal.
+/// Sets *same if the equilibria x and `rest` differ only by their loose coordinates: if these are set as at `rest`, the
+/// search from x leads to `rest`. No equation determines a loose pad, but the small force that its film still has moves
+/// the journal.
 static whirl_status is_loosely_same(const whirl_system *system, const double *x, const double *rest, bool *same) {
     // Only systems with coordinates that settle by themselves have loose ones.
     const size_t d = system->dimension;

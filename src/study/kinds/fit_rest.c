@@ -15,8 +15,8 @@ static double rest_predict(const fit_place *p, const fit_orbit *kept, size_t i) 
     return value;
 }
 
-/// Returns true for a mode of the requested direction. Straight modes count as both, such as those of equal
-/// frequencies.
+/// Returns true for a mode of the requested direction, if one is requested. A straight mode, such as one of two with
+/// equal frequencies, counts as forward and as backward.
 static bool rest_whirls(const whirl_fit_motion *motion, double direction) {
     return motion->whirl == 0 || motion->whirl * direction > -1e-6;
 }

@@ -183,7 +183,7 @@ static whirl_status resting_keep(const worker *w, size_t slot, double *block) {
     return status.code == WHIRL_OK ? run_journal_sync(w->run->journal) : status;
 }
 
-/// Returns true for a point without one before it: the first, and the first of every machine of samples.
+/// Returns true for a point that has no point before it: the first one, and the first one of every machine of samples.
 static bool resting_is_first(const worker *w, size_t slot) {
     return w->batch->tolerances.samples > 0 && w->batch->row > 0 ? slot % w->batch->row == 0 : slot == 0;
 }

@@ -183,7 +183,8 @@ typedef struct derived_at {
     const double *x, *sides;
     size_t which; ///< switching function
     /// NULL, or lanes that have the slopes of the first machines, from lane `first` on. Slopes are then those of
-    /// velocities and further states only: those of the `degrees` displacements are velocities, whatever the parameter.
+    /// velocities and further states only: the slopes of the `degrees` displacements are the velocities, whatever the
+    /// parameter.
     const sensitivity_lanes *lanes;
     size_t first, degrees;
 } derived_at;

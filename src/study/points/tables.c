@@ -81,7 +81,7 @@ static whirl_status make_table(const whirl_study *study, const whirl_batch *batc
 }
 
 /// Allocates the blocks. Arrays of `large` bytes or more are files on disk. Tables that are closed up at the end
-/// (table_close_up) stay in memory, of which they use only what their points need.
+/// (table_close_up) stay in memory; only the blocks of their points are ever written, and take up memory.
 static whirl_status make_blocks(whirl_table *table, size_t large) {
     const bool closed_up = table->refine > 0 || table->neighbours > 0;
     const size_t least = closed_up ? PTRDIFF_MAX : large > MAPPED_MIN ? large : MAPPED_MIN;

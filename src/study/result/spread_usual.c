@@ -3,7 +3,7 @@
 
 #include "spread_usual.h"
 
-/// Usual fields of a study, of which each station or contact has one number, or one for each of the first rows.
+/// Usual fields of a study: of each, the number of every station or contact, or the numbers of the first rows.
 static const struct {
     const char *field, *column;
     size_t rows;

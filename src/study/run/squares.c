@@ -2,7 +2,7 @@
 
 #include "squares.h"
 
-/// A square; its edges end at those of the plane.
+/// A square, cut off at the edges of the plane.
 typedef struct square {
     size_t x, y, width;
 } square;
