@@ -79,7 +79,8 @@ bool settings_yes(const setting_list *settings, const char *key);
 /// settings_check.
 void settings_take(valuation *v, const setting_list *settings, const whirl_member *table, void *object);
 
-/// Reads a text of at most `size` - 1 bytes without line breaks; other texts are a problem and give "".
+/// Reads a text of at most `size` - 1 bytes, with blanks in place of tabs and line breaks. Anything else is a problem
+/// and gives "".
 void settings_text(case_reader *reader, const setting_list *settings, const char *key, char *text, size_t size);
 
 /// Reads the units in which numbers are shown, words of base/words/unit_words.c; other words are a problem and give "".

@@ -83,7 +83,7 @@ static bool path_step(load_path *p, double step, bool *quick) {
     return false;
 }
 
-/// Solves at share 1 from between the last two points.
+/// Solves at share 1. Begins between the last two points, where the share is interpolated as 1.
 static bool path_finish(load_path *p) {
     enum { MAX_ITERATIONS = 20 };
     const size_t n = p->n;

@@ -25,7 +25,7 @@ whirl_status findings_of(const whirl_result *view, const whirl_shown_units *unit
 /// 4 peaks".
 void statement_text(const whirl_statement *statement, char *text, size_t size);
 
-/// Returns true if a column is empty in all rows; pages leave it out.
+/// Returns true if a column is empty in all rows. Only files for programs have such a column.
 bool sheet_column_empty(const whirl_sheet *sheet, size_t column);
 
 /// Writes a sheet as aligned text below its title. A sheet with more than `most` rows (at least 2) is cut to its first

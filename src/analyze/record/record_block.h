@@ -7,8 +7,9 @@
 #include "archive.h"
 #include "section.h"
 
-/// Returns the revolution at which a motion continues that has settled on P-`period` after `revolution` revolutions: it
-/// skips the rest of the transient except the last 64 revolutions, or three periods if these are longer than 64.
+/// Returns the revolution at which a motion continues that has settled on P-`period` after `revolution` revolutions. It
+/// skips the rest of the transient except for the last 64 revolutions. For a period above 64 it keeps three periods
+/// less the record, if that is more. Revolutions that are not watched are skipped in any case.
 int record_skip(const whirl_record_options *options, int revolution, size_t period);
 
 /// Makes an empty record for a motion of the system, all zero. NULL without memory. Freed by whirl_record_free.

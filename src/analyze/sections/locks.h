@@ -6,7 +6,7 @@
 #include "section.h"
 
 /// Returns the longest period that must be excluded before a motion on `curves` closed curves (0: unknown) certainly is
-/// not locked: a third of the points, at least 96.
+/// not locked: a third of the points, of which the last ROTATION_POINTS count, but at least 96.
 int longest_lock(const section *all, int curves);
 
 /// Returns the longest period up to which locks are excluded, at most longest_lock. The section lies on `curves`->count

@@ -8,7 +8,7 @@
 enum { ZERO_ONE_MIN = 100 };
 
 /// Returns K of the 0-1 test for chaos over the last 4000 points: near 1 in chaos, near 0 for regular motion (possibly
-/// negative). `size` is that of the motion. NaN for fewer points, or if nothing moves.
+/// negative). `size` is that of the motion. NaN for fewer than ZERO_ONE_MIN points, or if nothing moves.
 double zero_one_test(const section *all, double size);
 
 #endif

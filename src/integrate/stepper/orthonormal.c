@@ -23,8 +23,9 @@ static double take_off(size_t n, const double *vectors, size_t before, double *u
     return sqrt(orthonormal_dot(n, u, u));
 }
 
-/// Writes a unit vector orthogonal to the first `before` vectors. Tries the unit vectors along the axes in turn. On
-/// average half of their length remains, so that one of them serves.
+/// Writes a unit vector orthogonal to the first `before` vectors. Tries the unit vectors along the axes in turn, and
+/// takes the first of which enough remains: a squared length of at least half the mean over all axes, which at least
+/// one has.
 static void replace(size_t n, const double *vectors, size_t before, double *u) {
     for (size_t axis = 0; axis < n; axis++) {
         memset(u, 0, n * sizeof *u);

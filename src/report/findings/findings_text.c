@@ -231,8 +231,8 @@ static void write_letters(FILE *stream, const char *text) {
     }
 }
 
-/// Writes a row (0: the headings), with separators between cells and an end. digits 0: all digits, and all columns, for
-/// programs.
+/// Writes a row (0: the headings), with separators between cells and an end. digits: significant digits of numbers in a
+/// file for programs, which has all columns; 0: each column's own digits, without empty columns.
 static void write_cells(FILE *stream, const whirl_sheet *sheet, size_t row, void (*write)(FILE *, const char *),
                         int digits, const char *between, const char *end) {
     const bool drop = digits == 0; // a file for programs has all columns
