@@ -22,8 +22,8 @@ static const double near_enough = 3e-3, has_shrunk = 0.75;
 /// shortens.
 static const double safety = 0.5;
 
-/// Number of consecutive returns that must agree with their predictions, and the share to which they must have reduced
-/// the distance.
+/// fewest_returns: number of consecutive returns that must agree with their predictions. nearer: share of the first
+/// distance to which these returns must have reduced it.
 static const size_t fewest_returns = 3;
 static const double nearer = 0.5;
 

@@ -31,7 +31,8 @@ static void fit_list(figure_list *to, const drawing *of, const whirl_table *tabl
     }
 }
 
-/// Returns true if two rows belong to one line of a panel: same probe and, except for samples, same order.
+/// Returns true if two rows belong to one line of a panel: same probe, for statistics the same
+/// kind of number and, except for samples and waveforms, the same order.
 static bool fit_is_line(const double *a, const double *b) {
     const bool both = a[FIT_STATION] == b[FIT_STATION] && a[FIT_ANGLE] == b[FIT_ANGLE];
     const bool statistics = whirl_fit_is_statistic((whirl_fit_quantity)a[FIT_QUANTITY]);
