@@ -11,7 +11,8 @@ function found = whirl_fit(given_case, data, unknown, varargin)
 %   a table: 'noise', a number in metres or a text '2 um'; 'at', a struct of values in SI that parameters had in the
 %   measurement; 'compare', which is 'statistics' for motions that are not periodic; 'runup', a struct of the keys of a
 %   run at a changing speed in which the table was measured: struct('speed_from', '600 rpm', 'speed_to', '3000 rpm',
-%   'rate', '400 rpm/s').
+%   'rate', '400 rpm/s'). With it, 'compare' may be 'waveform' for displacements over the time, and 'delay' is the time
+%   of the table at which the run begins: a number in s, or a text '0.2 s'.
 %
 %   Of an HDF5, MAT or universal file: 'columns', a cell of headings and datasets, variables or records, {'time [s]',
 %   't', 'disc x [um]', 'signals[0, :]'}; of a data set: 'record', the number of a record.
@@ -48,11 +49,13 @@ else
 end
 for i = 1:2:numel(varargin)
     value = varargin{i + 1};
-    if any(strcmp(varargin{i}, {'noise', 'at', 'compare', 'columns', 'record', 'runup'}))
+    if any(strcmp(varargin{i}, {'noise', 'at', 'compare', 'columns', 'record', 'runup', 'delay'}))
         if numbers
             error('whirl:badInput', '%s belongs to a table, and onsets and modes have it in their struct', varargin{i});
         elseif strcmp(varargin{i}, 'columns')
             value = containers.Map(value(1:2:end), value(2:2:end));
+        elseif isnumeric(value) && strcmp(varargin{i}, 'delay')
+            value = sprintf('%.17g s', value);
         elseif isnumeric(value) && ~strcmp(varargin{i}, 'record')
             value = sprintf('%.17g m', value);
         end

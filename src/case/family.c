@@ -22,6 +22,7 @@ typedef struct member {
     course_run *course;             ///< events and laws of a run-up, or NULL
     whirl_runup_options run;        ///< options of its run, in place of those of the batch
     bool recorded;                  ///< `run` is set
+    double delay;                   ///< s, time at which its run begins in the table of a fit
 } member;
 
 static void family_release(void *owner) {
@@ -166,7 +167,8 @@ static whirl_status run_numbers(const setting_list *keys, const whirl_runup_opti
     *options = *batch;
     settings_take(v, keys, whirl_runup_members(), &own);
     for (const whirl_member *m = whirl_runup_members(); m->part; m++) {
-        if (m->type != WHIRL_MEMBER_NUMBER || is_offset(m->offset, of_batch)) continue;
+        if (m->type != WHIRL_MEMBER_NUMBER || is_offset(m->offset, of_batch) || !settings_find(keys, m->key.name))
+            continue;
         double *to = (double *)((char *)options + m->offset);
         const double number = *(const double *)((const char *)&own + m->offset);
         if ((number == 0.0) != (*to == 0.0) && !is_offset(m->offset, may_vanish))
@@ -191,6 +193,8 @@ static whirl_status make_run(const case_content *content, const whirl_batch *bat
         options = &m->run;
         m->recorded = true;
     }
+    const fit_set *set = family_fit_set(origin, batch);
+    if (set) m->delay = settings_number(v, &set->keys, "delay");
     const bool driven = whirl_runup_driven(options);
     double highest = 0.0;
     const bool has_drive = whirl_rotor_drive(m->rotor, &highest);
@@ -266,6 +270,7 @@ whirl_status case_machine(const void *family, const whirl_batch *batch, double v
     machine->drive_speed = fmax(machine->drive_speed, m->changed_speed);
     machine->course = course_shown(m->course);
     machine->run = m->recorded ? &m->run : NULL;
+    machine->delay = m->delay;
     return whirl_ok();
 }
 

@@ -26,6 +26,7 @@ typedef struct record_reader {
     const char *path;
     size_t number, row;               ///< number from 1; row in the arrays of the file
     double speed, begin, rate, turns; ///< rad/s; revolutions at the first sample; Hz; samples a revolution, or 0
+    bool runs;                        ///< the speed changes in the record; `speed` is that of its first sample
     size_t samples;
 } record_reader;
 
@@ -62,13 +63,15 @@ static whirl_status record_find(record_reader *r) {
     return status;
 }
 
-/// Reads how the record was sampled. Records of runs have no motion that a fit can follow.
+/// Reads how the record was sampled.
 static whirl_status record_sampling(record_reader *r) {
     arrays_item signals, rate;
     double factor = 1.0;
-    if (arrays_find(r->file, RECORDS "/" WHIRL_FIELD_DATASET_RATE, &rate).code == WHIRL_OK)
-        return RECORD_FAIL(r, "record %zu shows a run, expected one at a constant speed, whose motion is periodic",
-                           r->number);
+    r->runs = arrays_find(r->file, RECORDS "/" WHIRL_FIELD_DATASET_RATE, &rate).code == WHIRL_OK;
+    if (r->runs != (r->set->runup != NULL))
+        return r->runs
+                   ? RECORD_FAIL(r, "record %zu shows a run, expected runup, with the keys of its data set", r->number)
+                   : RECORD_FAIL(r, "record %zu shows a motion at a constant speed, expected no runup", r->number);
     whirl_status status = arrays_find(r->file, RECORDS "/" WHIRL_FIELD_DATASET_SIGNALS, &signals);
     if (status.code == WHIRL_OK && signals.rank != 3) status = RECORD_FAIL(r, "it is damaged");
     if (status.code == WHIRL_OK) r->samples = signals.sizes[2];
@@ -80,7 +83,8 @@ static whirl_status record_sampling(record_reader *r) {
     if (status.code != WHIRL_OK) return status;
     if (fabs(factor - 1.0) > 1e-12)
         return RECORD_FAIL(r, "its angles count by a keyphasor that turns at another speed than the shaft");
-    if (!(r->speed > 0.0) || !(r->begin >= 0.0 && r->begin < 1.0)) return RECORD_FAIL(r, "it is damaged");
+    const bool turning = r->runs ? r->speed >= 0.0 : r->speed > 0.0;
+    if (!turning || !(r->begin >= 0.0 && r->begin < 1.0)) return RECORD_FAIL(r, "it is damaged");
     if (r->turns > 0.0) r->rate = r->turns * r->speed / two_pi;
     return r->rate > 0.0 ? whirl_ok() : RECORD_FAIL(r, "it is damaged");
 }
@@ -124,13 +128,15 @@ static whirl_status record_channel(record_reader *r, size_t channel, const char 
     return status.code == WHIRL_OK ? csv_add_vector(&r->m->table, heading, "m", source, numbers, r->samples) : status;
 }
 
-/// Adds the time and all probes to the table. The mark is at the x axis at time 0.
+/// Adds the time and all probes to the table. The mark is at the x axis at time 0; the time of a run is 0 at its first
+/// sample.
 static whirl_status record_channels(record_reader *r) {
     char name[CSV_TEXT], text[RECORD_TEXT];
     double *numbers = malloc((r->samples + 1) * sizeof *numbers);
     bool any = false;
     if (!numbers) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a record");
-    for (size_t i = 0; i < r->samples; i++) numbers[i] = r->begin * two_pi / r->speed + (double)i / r->rate;
+    const double first = r->runs ? 0.0 : r->begin * two_pi / r->speed;
+    for (size_t i = 0; i < r->samples; i++) numbers[i] = first + (double)i / r->rate;
     whirl_status status = csv_add_vector(&r->m->table, "time", "s", "time", numbers, r->samples);
     for (size_t channel = 0; status.code == WHIRL_OK; channel++) {
         snprintf(name, sizeof name, "dataset channel %zu", channel + 1);
@@ -157,7 +163,7 @@ static bool record_parameter_is_taken(const record_reader *r, const parameter *o
 static whirl_status record_parameters(record_reader *r) {
     char name[CSV_TEXT], text[RECORD_TEXT];
     const parameter_table *all = r->m->reader->parameters;
-    const parameter *speed = fit_speed_parameter(r->m->reader, r->m->parts, r->set);
+    const parameter *speed = r->runs ? NULL : fit_speed_parameter(r->m->reader, r->m->parts, r->set);
     whirl_given *given = arena_take(r->m->reader->arena, (FIT_MAX_AT + 1) * sizeof *given);
     if (!given) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a fit");
     size_t count = 0;
@@ -181,7 +187,11 @@ static whirl_status record_parameters(record_reader *r) {
         count++;
     }
     if (speed) given[count++] = (whirl_given){speed->name, r->speed};
-    if (!fit_shaft_parameter(r->m->reader, r->m->parts)) r->m->speed = r->speed;
+    if (!r->runs && !fit_shaft_parameter(r->m->reader, r->m->parts)) r->m->speed = r->speed;
+    r->m->record.is = r->runs;
+    r->m->record.angle = two_pi * r->begin;
+    r->m->record.speed = r->speed;
+    r->m->record.duration = (double)r->samples / r->rate;
     r->m->at = given;
     r->m->at_count = count;
     return status;

@@ -37,13 +37,15 @@ void fit_run_read(case_reader *reader, const machine_parts *machine, fit_set *ou
     out->course = course_read(reader, machine, keys);
     out->runup = keys;
     // Refuse what the rows of a run do not have.
-    const setting *compare = settings_find(&out->keys, "compare"), *record = settings_find(&out->keys, "record");
+    const setting *compare = settings_find(&out->keys, "compare");
     if (compare && strcmp(settings_word(&out->keys, "compare"), "statistics") == 0)
         problem_at(reader->problems, compare->place,
                    "is statistics, which are of motions at one speed, expected no runup or no compare");
-    if (record)
-        problem_at_key(reader->problems, record->place,
-                       "is given together with runup, expected a table of orders over the speed or the time");
+}
+
+/// Returns true if the displacements of a run are compared, not its orders. Records of data sets are displacements.
+static bool fit_run_is_waveform(const fit_set *set) {
+    return settings_find(&set->keys, "record") || strcmp(settings_word(&set->keys, "compare"), "waveform") == 0;
 }
 
 bool fit_run_check(case_reader *reader, valuation *v, const fit_set *set) {
@@ -74,8 +76,22 @@ whirl_status fit_run_make(fit_maker *m, const fit_set *set, whirl_fit_run **out)
     options->stationary = 0;
     if (set->course) options->event_count = (int)set->course->event_count;
     if (set->course) course_name_shafts(set->course, options);
+    // The run of a record begins with its first sample, as in the data set, and lasts as long as its samples.
+    if (m->record.is) {
+        if (settings_find(set->runup, "begin") && m->record.speed > 0.0 && strcmp(options->begin, "steady") != 0)
+            return csv_fail(&m->table, 0, 0,
+                            "its runs begin before their first sample, expected begin: steady or no begin");
+        if (!settings_find(set->runup, "duration") && !settings_find(set->runup, "speeds"))
+            options->duration = m->record.duration;
+        if (!settings_find(set->runup, "angle")) options->angle = m->record.angle;
+        if (!settings_find(set->runup, "begin") && m->record.speed > 0.0)
+            snprintf(options->begin, sizeof options->begin, "steady");
+    }
     *run = (whirl_fit_run){.set = m->set,
                            .first = m->fit.motion_count,
+                           .delayed = settings_find(&set->keys, "delay") != NULL,
+                           .waveform = fit_run_is_waveform(set),
+                           .first_speed = m->record.is ? m->record.speed : 0.0,
                            .sized = settings_find(set->runup, "rows") != NULL,
                            .options = options};
     fit_run_sum(m, options);

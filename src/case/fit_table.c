@@ -242,14 +242,32 @@ static whirl_status fit_take_samples(fit_maker *m, size_t angle) {
     return status;
 }
 
+/// Fails for a time of a run's waveform before that of the row before it, or before the run.
+static whirl_status fit_check_time(const fit_maker *m, const fit_set *set, size_t time, size_t row) {
+    const csv_table *table = &m->table;
+    const double *shown = csv_numbers(table, time);
+    if (row > 0 && !(shown[row] > shown[row - 1]))
+        return csv_fail(table, table->lines[row], table->columns[time].place,
+                        "the time is %.10g after %.10g, expected times that rise", shown[row], shown[row - 1]);
+    if (shown[row] < 0.0 && !settings_find(&set->keys, "delay"))
+        return csv_fail(table, table->lines[row], table->columns[time].place,
+                        "the time is %g, expected 0 or more, from the beginning of the run, or delay, the time at "
+                        "which it begins",
+                        shown[row]);
+    return whirl_ok();
+}
+
 /// Adds the displacements over the time of one motion.
-static whirl_status fit_take_waveform(fit_maker *m, size_t time) {
+static whirl_status fit_take_waveform(fit_maker *m, const fit_set *set, size_t time) {
     enum { INSTANTS = 256 };
-    whirl_status status = fit_add_motion(m, m->at_count, m->at, m->speed, INSTANTS);
-    for (size_t i = 0; i < m->table.count && status.code == WHIRL_OK; i++)
+    whirl_status status = fit_add_motion(m, m->at_count, m->at, m->run ? 0.0 : m->speed, INSTANTS);
+    if (status.code == WHIRL_OK && m->run) m->run->count = 1;
+    for (size_t i = 0; i < m->table.count && status.code == WHIRL_OK; i++) {
+        if (m->run) status = fit_check_time(m, set, time, i);
         for (size_t c = 0; c < m->table.column_count && status.code == WHIRL_OK; c++)
             if (m->columns[c].kind == FIT_DISPLACEMENT)
                 status = fit_add_number(m, &m->columns[c], WHIRL_FIT_WAVEFORM, fit_cell(m, time, i), fit_cell(m, c, i));
+    }
     return status;
 }
 
@@ -266,7 +284,8 @@ static whirl_status fit_take_row(fit_maker *m, size_t row) {
                             "the share of the time in contact is %g, expected 0 to 1", amplitude);
         if (size && amplitude < 0.0)
             return csv_fail(&m->table, m->table.lines[row], m->table.columns[c].place,
-                            "the amplitude is %g, expected 0 or more", csv_numbers(&m->table, c)[row]);
+                            "the amplitude is %g, expected 0 or more%s", csv_numbers(&m->table, c)[row],
+                            m->run ? ", or compare: waveform for displacements" : "");
         if (own->lag == c) {
             status = fit_add_number(m, own, own->quantity, own->order, amplitude);
             continue;
@@ -283,7 +302,7 @@ static whirl_status fit_check_row(const fit_maker *m, size_t along, size_t row, 
     const csv_table *table = &m->table;
     const int line = table->lines[row], place = table->columns[along].place;
     double ends[2];
-    if (m->run->by_time && !(value >= 0.0))
+    if (m->run->by_time && !(value >= 0.0) && !m->run->delayed)
         return csv_fail(table, line, place, "the time is %g, expected 0 or more, from the beginning of the run",
                         csv_numbers(table, along)[row]);
     if (!m->run->by_time && !fit_run_reaches(m->run, value, ends))
@@ -380,14 +399,21 @@ static whirl_status fit_take_table(fit_maker *m, const fit_set *set) {
                         "there is no column 'angle [deg]', 'time [s]', 'speed [rpm]' or of a parameter");
     // Over angles or times there are samples, over speeds or parameters vectors.
     const char *axis = table->columns[along].name;
-    const bool timed = strcmp(axis, "time") == 0, waveform = timed && !set->runup;
-    const bool vectors = !waveform && strcmp(axis, "angle") != 0 && strcmp(axis, "turns") != 0;
+    const bool timed = strcmp(axis, "time") == 0;
     whirl_status status = whirl_ok();
     m->run = NULL;
     if (set->runup && !timed && strcmp(axis, "speed") != 0)
         return FIT_FAIL(m, along, "is no column of a run, expected speed or time");
     if (set->runup) status = fit_run_make(m, set, &m->run);
-    if (status.code == WHIRL_OK && m->run) m->run->by_time = timed;
+    if (status.code != WHIRL_OK) return status;
+    if (m->run) m->run->by_time = timed;
+    if (m->run && m->run->waveform && !timed)
+        return FIT_FAIL(m, along, "is no column of a run's waveform, expected time");
+    if (m->run && m->run->delayed && !timed)
+        return fit_fail_at(m, settings_find(&set->keys, "delay")->place,
+                           "is given for a table over the speed, expected one over the time");
+    const bool waveform = timed && (!m->run || m->run->waveform);
+    const bool vectors = !waveform && strcmp(axis, "angle") != 0 && strcmp(axis, "turns") != 0;
     m->statistics = set->place && strcmp(settings_word(&set->keys, "compare"), "statistics") == 0;
     if (m->statistics && !vectors)
         return FIT_FAIL(m, along,
@@ -404,7 +430,7 @@ static whirl_status fit_take_table(fit_maker *m, const fit_set *set) {
     if (status.code == WHIRL_OK) status = fit_share_noise(m, set);
     if (status.code != WHIRL_OK) return status;
     // Take the numbers.
-    if (waveform) return fit_take_waveform(m, along);
+    if (waveform) return fit_take_waveform(m, set, along);
     if (m->columns[along].kind == FIT_SPEED && m->revolutions > 0 && !m->run)
         m->columns[along].parameter = fit_speed_parameter(m->reader, m->parts, set);
     return vectors ? fit_take_vectors(m, along) : fit_take_samples(m, along);

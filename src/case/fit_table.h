@@ -38,6 +38,12 @@ typedef struct fit_maker {
     fit_column columns[FIT_MAX_COLUMNS];
     const whirl_given *at; ///< parameters that the table gives
     double speed;          ///< speed of a record where it is no parameter, rad/s; 0: that of the case
+    struct {
+        bool is;         ///< the present table is the record of a run
+        double angle;    ///< rad, of the shaft at its first sample
+        double speed;    ///< rad/s, at its first sample
+        double duration; ///< s
+    } record;
     size_t at_count;
     double noise;                           ///< standard deviation of its numbers, m; 1 if it is not given
     double channel_noise[FIT_MAX_CHANNELS]; ///< standard deviations of fit_set.channels, m

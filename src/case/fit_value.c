@@ -105,6 +105,7 @@ void fit_value_check_keys(case_reader *reader, const fit_set *set) {
     fit_refuse_key(reader, set, "columns", kind == FIT_KINDS, "file");
     fit_refuse_key(reader, set, "record", kind == FIT_KINDS, "file");
     fit_refuse_key(reader, set, "runup", kind == FIT_KINDS, "file");
+    fit_refuse_key(reader, set, "delay", settings_find(&set->keys, "runup") != NULL, "runup");
     const bool threshold = fit_is_threshold(kind), mode = kind < FIT_KINDS && !threshold;
     const bool onset = threshold && fit_kinds[kind].quantity == WHIRL_FIT_ONSET;
     fit_refuse_key(reader, set, "of", onset, "onset");
@@ -114,7 +115,12 @@ void fit_value_check_keys(case_reader *reader, const fit_set *set) {
     fit_refuse_key(reader, set, "mode", mode, "frequency or damping");
     fit_refuse_key(reader, set, "whirl", mode || (threshold && !onset), "critical, frequency or damping");
     const setting *noise = settings_find(&set->keys, "noise");
+    const setting *compare = settings_find(&set->keys, "compare");
     const bool statistics = strcmp(settings_word(&set->keys, "compare"), "statistics") == 0;
+    if (compare && strcmp(settings_word(&set->keys, "compare"), "waveform") == 0 && !settings_find(&set->keys, "runup"))
+        problem_at(reader->problems, compare->place,
+                   "is waveform, which is of runs, expected runup; a table over the time of a motion at one speed "
+                   "needs no compare");
     if (kind == FIT_KINDS && statistics && !noise)
         problem_at(reader->problems, set->place, "has no noise, expected the standard deviation of its statistics");
     if (kind == FIT_KINDS) return;

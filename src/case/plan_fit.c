@@ -228,6 +228,7 @@ static bool fit_make_set(fit_maker *m, const fit_set *set, whirl_given *given) {
     m->at = given;
     m->at_count = set->at.count;
     m->speed = 0.0;
+    m->record.is = false;
     m->noise = set->channel_count > 0 ? 0.0 : 1.0;
     if (noise && set->channel_count == 0 && !fit_make_noise(m, &set->noise_key, noise->place, &set->noise, &m->noise))
         return false;

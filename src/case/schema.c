@@ -174,13 +174,16 @@ static const whirl_key fit_data_keys[] = {
     WHOLE_KEY("record", "", OPTIONAL, WHIRL_FROM_TO(1, WHIRL_MAX_RECORDS),
               "file of study: dataset: number of the record, whose proximity probes are the table; parameters have its "
               "values, unless they are looked for or in `at`"),
-    CHOICE_KEY("compare", DEFAULT("orbit"), "orbit|statistics",
+    CHOICE_KEY("compare", DEFAULT("orbit"), "orbit|statistics|waveform",
                "file: orbit: its motions are periodic; statistics: they may be of any kind, and columns over `speed` "
                "or a parameter are largest and smallest displacements (disc x max, disc x min), lines (disc x 0.4X), "
-               "and the share of the time in contact"),
+               "and the share of the time in contact; waveform: displacements over `time` in a runup"),
     CHOICE_KEY("runup", OPTIONAL, "",
-               "file: its orders over `speed` or `time` were measured while the speed changed: {speed_from: ..., "
-               "speed_to: ..., rate: ...}, with further keys as in runup; the machine is run in the same way"),
+               "file: its orders over `speed` or `time`, or with compare: waveform its displacements over `time`, were "
+               "measured while the speed changed: {speed_from: ..., speed_to: ..., rate: ...}, with further keys as in "
+               "runup; the machine is run in the same way"),
+    NUMBER_KEY("delay", "", "s", DEFAULT("0"), WHIRL_ANY,
+               "runup: time of the table at which the run begins; it may depend on the unknowns"),
     NUMBER_KEY("onset", "", "", OPTIONAL, WHIRL_ANY,
                "in place of file: speed at which the machine loses stability, or value of the parameter `along`"),
     NUMBER_KEY("critical", "", "", OPTIONAL, WHIRL_ANY,

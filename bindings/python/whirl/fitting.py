@@ -145,6 +145,7 @@ def fit(
     noise: str | float | Mapping[str, str | float] | None = None,
     compare: str = "orbit",
     runup: Mapping[str, Any] | None = None,
+    delay: str | float | None = None,
     threads: int = 0,
     **options: Any,
 ) -> Fit:
@@ -168,11 +169,15 @@ def fit(
         "disc y": "3 um"}.
     compare : str
         "orbit" or, for tables of motions that need not be periodic, "statistics": columns "disc x max [um]",
-        "disc x min [um]", "disc x 0.4X [um]" and "contact [%]".
+        "disc x min [um]", "disc x 0.4X [um]" and "contact [%]"; or, with `runup`, "waveform": displacements over
+        "time [s]".
     runup : dict, optional
         Keys of a run at a changing speed, {"speed_from": "600 rpm", "speed_to": "3000 rpm", "rate": "400 rpm/s"}, in
         which the tables were measured: orders over "speed [rpm]" or "time [s]". The machine is run in the same way.
         Values may be expressions of parameters.
+    delay : text or float, optional
+        Time of the tables at which that run begins: "0.2 s", a number in s, or an expression of parameters, "= begins".
+        Default: 0.
     threads : int
         Number of threads; 0: all cores.
     **options
@@ -212,6 +217,8 @@ def fit(
                 item["compare"] = compare
             if runup is not None and not number_alone and "runup" not in item:
                 item["runup"] = dict(runup)
+            if delay is not None and not number_alone and "delay" not in item:
+                item["delay"] = delay if isinstance(delay, str) else f"{delay!r} s"
             items.append(item)
         study = {"unknown": {name: _where(bounds) for name, bounds in names.items()}, "data": items, **options}
         text = machine + _block({"study": {"fit": study}}) + "\n"

@@ -1,7 +1,7 @@
 /// Fits: values of parameters of a machine at which its motions are the measured ones (study `fit`).
 ///
 /// Each measured motion is a periodic orbit of the machine at parameters of its own. Its displacements, and the orders
-/// of them, are compared with the measured numbers. Orders may also be those of the machine while its speed changes
+/// of them, are compared with the measured numbers. They may also be those of the machine while its speed changes
 /// (whirl_fit_run). Further numbers are values at which the machine loses its stability, critical speeds, and
 /// frequencies and damping ratios of modes. Levenberg and Marquardt's method minimizes the sum of squares of the
 /// differences over their noise, with the exact derivatives of the orbits, and those of thresholds and modes
@@ -58,7 +58,8 @@ typedef enum whirl_fit_quantity {
     WHIRL_FIT_COS,         ///< a of a cos(n theta) + b sin(n theta), the part of order n
     WHIRL_FIT_SIN,         ///< b of the same part
     WHIRL_FIT_AMPLITUDE,   ///< sqrt(a^2 + b^2)
-    WHIRL_FIT_WAVEFORM,    ///< displacement after a time, with the mark on the x axis at time 0
+    WHIRL_FIT_WAVEFORM,    ///< displacement after a time, with the mark on the x axis at time 0; in a run at a time of
+                           ///< its table
     WHIRL_FIT_ONSET,       ///< value of a parameter, or speed, above which the equilibrium is unstable
     WHIRL_FIT_ORBIT_ONSET, ///< value of a parameter, or speed, above which the periodic orbit is unstable, or ends
     WHIRL_FIT_CRITICAL,    ///< critical speed, or value of a parameter at which a mode whirls once a revolution
@@ -94,12 +95,16 @@ typedef struct whirl_fit_number {
     double noise; ///< SI, standard deviation; 1 if it is not given
 } whirl_fit_number;
 
-/// A run of the machine at a changing speed, whose orders over a turn are measured at speeds or times. Each row of its
-/// table is a motion of the fit, and all of them are computed together.
+/// A run of the machine at a changing speed. Its orders over a turn are measured at speeds or times: each row of its
+/// table is a motion of the fit, and all of them are computed together. Or its displacements are measured at times that
+/// rise (WHIRL_FIT_WAVEFORM): the run is one motion.
 typedef struct whirl_fit_run {
     size_t set;                                ///< entry of the data, from 0
     size_t first, count;                       ///< index of its first motion, and number of its motions
     bool by_time;                              ///< rows are at times (whirl_fit_motion.time), else at speeds
+    bool delayed;                              ///< times count from another instant (whirl_machine.delay)
+    bool waveform;                             ///< displacements at times, in place of orders
+    double first_speed;                        ///< rad/s, of a record at its first sample; 0: not known
     bool sized;                                ///< the number of rows of the run is given, else every turn has a row
     const struct whirl_runup_options *options; ///< at the parameters of the case; borrowed
 } whirl_fit_run;

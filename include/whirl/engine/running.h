@@ -159,11 +159,12 @@ typedef struct whirl_shaft_torques {
     double speed;   ///< rad/s, where stations twist the mean by inertia
 } whirl_shaft_torques;
 
-/// The motion of a run at equal times, as sensors of a data set take it. Instants before the beginning of the run have
-/// its first state.
+/// The motion of a run at equal times, as sensors of a data set take it, or at given times. Instants before the
+/// beginning of the run have its first state.
 typedef struct whirl_run_motion {
     size_t probes, count; ///< stations, instants
     double from, step;    ///< s: time of the first instant, and between instants
+    const double *times;  ///< [count] s, that rise, in place of `from` and `step`; NULL: equal times; borrowed
     size_t filled;        ///< number of instants that the run has reached so far
     double *x;            ///< [probes][2][count] displacements x and y, in the machine's unit of length
     double *angle;        ///< [count] rad, angle of the shaft

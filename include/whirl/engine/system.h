@@ -322,6 +322,7 @@ typedef struct whirl_machine {
     double drive_speed;                    ///< rad/s, of the motor of its drive without load; 0: it has no such speed
     const struct whirl_run_course *course; ///< events and laws of a run (running.h), or NULL; of one thread
     const struct whirl_runup_options *run; ///< options of its run (record.h), in place of those of the study, or NULL
+    double delay;                          ///< s, time at which its run begins in the table of a fit; 0 without one
     /// [probe_count] if requested (WHIRL_WITH_STATICS), else NULL; then also `influence`.
     const whirl_station_statics *statics;
     /// [probe_count][probe_count] N/m, change of the load of bearings at the first station by raising those at the

@@ -3,6 +3,18 @@
 
 #include <math.h>
 
+/// Returns the time of an instant, s.
+static double run_motion_time(const whirl_run_motion *of, size_t instant) {
+    return of->times ? of->times[instant] : of->from + (double)instant * of->step;
+}
+
+bool run_motion_reaches(const whirl_run_motion *to, double end) {
+    static const double rounding = 1e-10;
+    if (to->filled == to->count) return false;
+    const double time = run_motion_time(to, to->filled);
+    return to->times ? time <= end * (1.0 + rounding) : time < end;
+}
+
 /// Sets the displacement of a station along an axis at an instant.
 static void run_motion_set(whirl_run_motion *to, size_t instant, size_t probe, size_t axis, double x) {
     to->x[(2 * probe + axis) * to->count + instant] = x;
@@ -10,7 +22,7 @@ static void run_motion_set(whirl_run_motion *to, size_t instant, size_t probe, s
 
 void run_motion_begin(whirl_run_motion *to, const whirl_probe *probes, const double *state, double angle) {
     to->filled = 0;
-    for (; to->filled < to->count && to->from + (double)to->filled * to->step < 0.0; to->filled++) {
+    for (; to->filled < to->count && run_motion_time(to, to->filled) < 0.0; to->filled++) {
         for (size_t p = 0; p < to->probes; p++)
             for (size_t axis = 0; axis < 2; axis++)
                 run_motion_set(to, to->filled, p, axis, whirl_probe_value(&probes[p], state, axis));
@@ -54,9 +66,8 @@ void run_motion_fill(whirl_run_motion *to, const whirl_probe *probes, const moti
                      double unit) {
     const motion_node *const ends[] = {low, high};
     const double step = (high->time - low->time) / unit;
-    for (; to->filled < to->count; to->filled++) {
-        const double time = to->from + (double)to->filled * to->step;
-        if (!(time < high->time)) return;
+    for (; run_motion_reaches(to, high->time); to->filled++) {
+        const double time = run_motion_time(to, to->filled);
         const double s = (time - low->time) / (high->time - low->time), t = 1.0 - s;
         double weights[3][2];
         quintic_weights(s, weights);

@@ -13,6 +13,10 @@ typedef struct motion_node {
     bool by_time;                ///< derivatives of the state are by time, not by the angle
 } motion_node;
 
+/// Returns true if the time of the next instant is before `end`, s; given times also if they are as late, but for
+/// rounding.
+bool run_motion_reaches(const whirl_run_motion *to, double end);
+
 /// Begins the motion: instants before time 0 get the displacements of `state` and `angle`, rad.
 void run_motion_begin(whirl_run_motion *to, const whirl_probe *probes, const double *state, double angle);
 

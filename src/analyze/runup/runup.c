@@ -506,7 +506,7 @@ static void runup_keep_instants(runner *r, double from, double passed, double st
 static bool runup_has_instants(const runner *r) {
     const whirl_run_motion *to = r->plan->motion;
     const double end = runup_time_of(r, runup_sample(r, (size_t)r->plan->options->samples));
-    return to && to->filled < to->count && to->from + (double)to->filled * to->step < end;
+    return to && run_motion_reaches(to, end);
 }
 
 /// Finds the slopes of all samples of a part, by the equations.

@@ -94,12 +94,44 @@ static size_t fit_count_runs(const whirl_table *table, size_t point) {
     return count;
 }
 
+/// Returns true for the row of a number that is a displacement in a run-up.
+static bool fit_is_of_run(const whirl_table *table, size_t point, const double *row) {
+    const double *motion = whirl_table_field(table, point, WHIRL_FIELD_FIT_MOTION, 0);
+    return row[FIT_QUANTITY] == WHIRL_FIT_WAVEFORM &&
+           isfinite(motion[FIT_MOTION_COLUMNS * (size_t)row[FIT_MOTION] + FIT_TIME]);
+}
+
+/// Counts the run-ups of a fit whose displacements are compared; *samples gets the number of these.
+static size_t fit_count_waveforms(const whirl_table *table, size_t point, size_t *samples) {
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_FIT_NUMBER);
+    const double *row = whirl_table_field(table, point, WHIRL_FIELD_FIT_NUMBER, 0);
+    double last = -1.0;
+    size_t count = 0;
+    *samples = 0;
+    for (size_t i = 0; field && i < field->rows; i++, row += FIT_NUMBER_COLUMNS) {
+        if (!fit_is_of_run(table, point, row)) continue;
+        count += row[FIT_MOTION] != last;
+        last = row[FIT_MOTION];
+        ++*samples;
+    }
+    return count;
+}
+
 /// States which motion or number was not found at the start.
 static void fit_phrase_lost(const finder *of, whirl_statement *own, size_t point, double lost) {
     const whirl_field *field = whirl_layout_field(&of->table->layout, WHIRL_FIELD_FIT_NUMBER);
     const double *rows = whirl_table_field(of->table, point, WHIRL_FIELD_FIT_NUMBER, 0);
     const double *motion = whirl_table_field(of->table, point, WHIRL_FIELD_FIT_MOTION, 0);
     const int revolutions = of->table->record.fit.revolutions;
+    for (size_t i = 0; field && rows && motion && i < field->rows; i++) {
+        const double *row = rows + FIT_NUMBER_COLUMNS * i;
+        if (row[FIT_MOTION] != lost || !fit_is_of_run(of->table, point, row)) continue;
+        phrase_text(of, &own->found,
+                    "the run of entry %.0f of the data does not last as long as its times with the start values: other "
+                    "start values, or a longer run",
+                    row[FIT_SET] + 1.0);
+        return;
+    }
     if (motion && lost >= 0.0 && isfinite(motion[FIT_MOTION_COLUMNS * (size_t)lost + FIT_TIME])) {
         phrase_text(of, &own->found,
                     "row %.0f of the measured ones is not in its run-up with the start values: the run does not last, "
@@ -455,7 +487,14 @@ static void fit_find_statistics(const shown_fit_of *f) {
 /// States which motions are compared with run-ups.
 static void fit_find_runs(const shown_fit_of *f) {
     const whirl_field *motions = whirl_layout_field(&f->of->table->layout, WHIRL_FIELD_FIT_MOTION);
-    const size_t count = fit_count_runs(f->of->table, f->point);
+    size_t samples;
+    const size_t waveforms = fit_count_waveforms(f->of->table, f->point, &samples);
+    const size_t count = fit_count_runs(f->of->table, f->point) - waveforms;
+    if (waveforms > 0)
+        phrase_text(f->of, &find_statement(f->of, "run-ups")->found,
+                    "%zu displacements of %zu run%s are compared with the machine at a changing speed, each at its "
+                    "time; their derivatives are differences of whole runs",
+                    samples, waveforms, waveforms == 1 ? "" : "s");
     if (count == 0) return;
     phrase_text(
         f->of, &find_statement(f->of, "run-ups")->found,

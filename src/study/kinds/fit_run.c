@@ -14,12 +14,20 @@
 /// runs that are carried together. RUN_NODES: turns between which orders are interpolated.
 enum { RUN_STENCIL = 4, RUN_TOGETHER = 8, RUN_NODES = 4 };
 
+/// Bytes of the motions of runs that are carried together, at most.
+enum { RUN_BYTES = 1 << 28 };
+
 /// Limits of the number of rows of a run, with a turn in each.
 enum { RUN_MIN_ROWS = 64, RUN_MAX_ROWS = 20000 };
 
 /// Distance of neighbouring values, as a part of the size of the unknown. With five values the error of a derivative is
 /// of the fourth order: below 1e-6 for resonances with a damping ratio of 0.005 or more.
 static const double run_difference = 2.5e-4;
+
+/// Number of turns up to which that distance serves for waveforms. Their derivatives grow with the angle of the shaft
+/// that an unknown changes. The distance is shorter for longer runs, so that a change of the rate by twice the distance
+/// turns the shaft by 0.1 rad at most. The error of the derivatives is then below 1e-5 up to the third order.
+static const double run_waveform_turns = 64.0;
 
 /// Derivatives from five values, by their places in units of the distance: around the value, or on one side of it where
 /// a bound is near.
@@ -36,6 +44,9 @@ typedef struct run_work {
     const fit_place *place;
     const whirl_fit_run *run;
     size_t first, count;      ///< numbers of the run, one after the other
+    size_t instants;          ///< of a waveform: number of times; else 0
+    size_t together;          ///< largest number of runs that are carried together
+    double difference;        ///< distance of neighbouring values, as a part of the size of the unknown
     whirl_analysis_set runup; ///< the analysis
     whirl_record_options record;
     whirl_layout layout;
@@ -47,6 +58,7 @@ typedef struct run_one {
     fit_place place;
     whirl_machine machine;
     resting_place at;
+    whirl_run_motion motion; ///< of a waveform
 } run_one;
 
 /// Makes a place request the machine of its run.
@@ -145,9 +157,10 @@ static double run_part(const run_turns *t, const run_between *at, const whirl_fi
     return sum;
 }
 
-/// Reads the numbers of a run from its turns. Unless NULL, speeds and times [motions of the run] get those of the rows.
-static whirl_status run_read(const run_work *w, const run_turns *t, double *numbers, double *speeds, double *times,
-                             size_t *lost) {
+/// Reads the numbers of a run from its turns; delay: s, time of the table at which it begins. Unless NULL, speeds and
+/// times [motions of the run] get those of the rows.
+static whirl_status run_read(const run_work *w, const run_turns *t, double delay, double *numbers, double *speeds,
+                             double *times, size_t *lost) {
     const whirl_fit *fit = w->place->of->fit;
     size_t known = SIZE_MAX;
     run_between at = {.count = 0};
@@ -157,7 +170,7 @@ static whirl_status run_read(const run_work *w, const run_turns *t, double *numb
         const size_t row = number->motion - w->run->first;
         // Find the place of a new row.
         if (number->motion != known) {
-            const double value = w->run->by_time ? motion->time : motion->speed;
+            const double value = w->run->by_time ? motion->time - delay : motion->speed;
             known = number->motion;
             *lost = known;
             if (!run_find(t, w->run->by_time, value, &at))
@@ -171,6 +184,62 @@ static whirl_status run_read(const run_work *w, const run_turns *t, double *numb
         numbers[i] = number->quantity == WHIRL_FIT_COS   ? cosine
                      : number->quantity == WHIRL_FIT_SIN ? sine
                                                          : hypot(cosine, sine);
+    }
+    return whirl_ok();
+}
+
+// ---------------------------------------------------------------- waveforms of a run
+
+/// Counts the times at which displacements were measured; numbers at one time follow each other.
+static size_t run_count_instants(const run_work *w) {
+    const whirl_fit_number *numbers = &w->place->of->fit->numbers[w->first];
+    size_t count = 0;
+    for (size_t i = 0; i < w->count; i++) count += i == 0 || numbers[i].at != numbers[i - 1].at;
+    return count;
+}
+
+/// Returns the bytes of the motion of a run with this number of stations.
+static size_t run_motion_bytes(const run_work *w, size_t stations) {
+    return w->instants * (2 * stations + 2) * sizeof(double);
+}
+
+/// Makes the motion of a run, to be filled in at the measured times. Freed by run_motion_free.
+static whirl_status run_motion_make(const run_work *w, const whirl_machine *machine, whirl_run_motion *out) {
+    const whirl_fit_number *numbers = &w->place->of->fit->numbers[w->first];
+    const size_t probes = machine->system->probe_count;
+    double *memory = calloc(run_motion_bytes(w, probes) + 1, 1);
+    if (!memory) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the runs of a fit");
+    double *times = memory + (2 * probes + 1) * w->instants;
+    for (size_t i = 0, k = 0; i < w->count; i++)
+        if (i == 0 || numbers[i].at != numbers[i - 1].at) times[k++] = numbers[i].at - machine->delay;
+    *out = (whirl_run_motion){.probes = probes,
+                              .count = w->instants,
+                              .times = times,
+                              .x = memory,
+                              .angle = memory + 2 * probes * w->instants};
+    if (times[0] >= 0.0) return whirl_ok();
+    return whirl_fail(WHIRL_BAD_INPUT, "a time of its table is before the beginning of its run");
+}
+
+static void run_motion_free(whirl_run_motion *motion) {
+    free(motion->x);
+    motion->x = NULL;
+}
+
+/// Reads the displacements of a run at the measured times, m, with the runout of the probes.
+static whirl_status run_read_motion(const run_work *w, const run_one *own, double *numbers) {
+    const whirl_fit_number *of = &w->place->of->fit->numbers[w->first];
+    const whirl_run_motion *motion = &own->motion;
+    if (motion->filled < motion->count) return whirl_fail(WHIRL_BAD_INPUT, "its run ends before a time of its table");
+    for (size_t i = 0, k = 0; i < w->count; i++) {
+        if (i > 0 && of[i].at != of[i - 1].at) k++;
+        const whirl_probe *probe = &own->machine.system->probes[of[i].station];
+        const double turns = motion->angle[k] / two_pi;
+        double along[2];
+        for (size_t axis = 0; axis < 2; axis++)
+            along[axis] = motion->x[(2 * of[i].station + axis) * motion->count + k] +
+                          (probe->runout_count > 0 ? whirl_probe_runout(probe, axis, turns) : 0.0);
+        numbers[i] = own->machine.length * (cos(of[i].angle) * along[0] + sin(of[i].angle) * along[1]);
     }
     return whirl_ok();
 }
@@ -195,17 +264,25 @@ static double run_length(const whirl_machine *machine, const whirl_runup_options
     return rows > 0 ? machine->course->speed_times[rows - 1] : 0.0;
 }
 
-/// Chooses the number of rows so that each turn has one, and makes the layout of the results.
+/// Chooses the number of rows, for orders so that each turn has one, and makes the layout of the results. For waveforms
+/// it chooses the distance of neighbouring values, and how many runs are carried together.
 static whirl_status run_make_layout(run_work *w) {
     fit_place here = *w->place;
     whirl_machine machine = {.system = NULL};
     here.batch.given = here.given;
     run_request(&here, w->runup, &w->record);
     whirl_status status = fit_place_machine(&here, &machine);
-    if (status.code == WHIRL_OK && !w->run->sized) {
+    if (status.code == WHIRL_OK) {
         const whirl_runup_options *options = machine.run ? machine.run : &w->record.runup;
         const double turns = 1.01 * run_length(&machine, options) * run_highest(&machine, options) / two_pi;
-        w->record.runup.rows = (int)fmin(fmax(ceil(turns), RUN_MIN_ROWS), RUN_MAX_ROWS);
+        const double rows = w->run->waveform ? RUN_MIN_ROWS : fmin(fmax(ceil(turns), RUN_MIN_ROWS), RUN_MAX_ROWS);
+        if (!w->run->sized) w->record.runup.rows = (int)rows;
+        if (w->run->waveform) {
+            const size_t each = run_motion_bytes(w, machine.system->probe_count);
+            w->difference = run_difference * fmin(1.0, run_waveform_turns / turns);
+            w->together = each > RUN_BYTES / RUN_TOGETHER ? RUN_BYTES / each : RUN_TOGETHER;
+            if (w->together == 0) w->together = 1;
+        }
     }
     if (status.code == WHIRL_OK)
         status = whirl_layout_new(machine.system, &w->place->batch.integrate, &w->record, w->runup, &w->layout);
@@ -221,6 +298,12 @@ typedef struct run_group {
     double *blocks[RUN_TOGETHER];
 } run_group;
 
+/// Returns the speed at which a run begins, rad/s.
+static double run_first_speed(const whirl_machine *machine) {
+    if (machine->course && machine->course->speed_count > 0) return machine->course->speeds[0];
+    return machine->run ? machine->run->from : 0.0;
+}
+
 /// Reads the numbers of runs that were carried out. speeds and times, unless NULL, are those of the rows of the first.
 static whirl_status run_read_all(const run_work *w, const run_group *g, size_t count, double *numbers, double *speeds,
                                  double *times, size_t *lost) {
@@ -231,8 +314,14 @@ static whirl_status run_read_all(const run_work *w, const run_group *g, size_t c
         run_turns turns;
         status = g->statuses[i];
         if (status.code != WHIRL_OK) break;
+        if (w->run->waveform) {
+            status = run_read_motion(w, &g->all[i], numbers + i * w->count);
+            if (i == 0 && speeds) speeds[0] = run_first_speed(&g->all[i].machine);
+            continue;
+        }
         run_list_turns(&w->layout, g->blocks[i], g->all[i].machine.length, rows, &turns);
-        status = run_read(w, &turns, numbers + i * w->count, i == 0 ? speeds : NULL, times, lost);
+        status =
+            run_read(w, &turns, g->all[i].machine.delay, numbers + i * w->count, i == 0 ? speeds : NULL, times, lost);
     }
     free(rows);
     return status;
@@ -251,6 +340,10 @@ static whirl_status run_carry(const run_work *w, run_group *g, size_t count, dou
         status = fit_place_machine(&own->place, &own->machine);
         if (status.code != WHIRL_OK) own->machine.release = NULL;
         if (status.code == WHIRL_OK) g->points[i] = resting_point_of(&own->at, &own->machine);
+        if (status.code == WHIRL_OK && w->run->waveform) {
+            status = run_motion_make(w, &own->machine, &own->motion);
+            g->points[i].motion = &own->motion;
+        }
         g->blocks[i] = calloc(w->layout.size + 1, sizeof *g->blocks[i]);
         if (status.code == WHIRL_OK && !g->blocks[i])
             status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the runs of a fit");
@@ -262,18 +355,20 @@ static whirl_status run_carry(const run_work *w, run_group *g, size_t count, dou
     if (status.code == WHIRL_OK) status = run_read_all(w, g, count, numbers, speeds, times, lost);
     for (size_t i = 0; i < count; i++) {
         if (g->all[i].machine.release) g->all[i].machine.release(g->all[i].machine.owner);
+        run_motion_free(&g->all[i].motion);
         free(g->blocks[i]);
     }
     return status;
 }
 
 /// Chooses the neighbouring values of an unknown. Returns their distance.
-static double run_choose(const whirl_fit_unknown *unknown, double value, const run_stencil **stencil) {
+static double run_choose(const run_work *w, const whirl_fit_unknown *unknown, double value,
+                         const run_stencil **stencil) {
     const double range = unknown->high - unknown->low;
     double size = fabs(value);
     if (isfinite(range)) size = fmax(size, 0.01 * range);
     if (size == 0.0) size = 1.0;
-    const double h = run_difference * size, reach = 2.0 * h;
+    const double h = w->difference * size, reach = 2.0 * h;
     *stencil = value - reach < unknown->low ? &above : value + reach > unknown->high ? &below : &around;
     return h;
 }
@@ -285,7 +380,7 @@ static void run_set_values(const run_work *w, size_t run, double *values) {
     if (run == 0) return;
     const size_t unknown = (run - 1) / RUN_STENCIL, node = (run - 1) % RUN_STENCIL;
     const run_stencil *stencil;
-    const double h = run_choose(&fit->unknowns[unknown], values[unknown], &stencil);
+    const double h = run_choose(w, &fit->unknowns[unknown], values[unknown], &stencil);
     values[unknown] += h * stencil->at[node];
 }
 
@@ -293,7 +388,7 @@ static void run_set_values(const run_work *w, size_t run, double *values) {
 /// values. numbers [runs][count].
 static whirl_status run_all(const run_work *w, double *numbers, double *speeds, double *times, size_t *lost) {
     const size_t runs = 1 + RUN_STENCIL * w->place->of->fit->unknown_count, begun = *lost;
-    const size_t groups = (runs + RUN_TOGETHER - 1) / RUN_TOGETHER, most = (runs + groups - 1) / groups;
+    const size_t groups = (runs + w->together - 1) / w->together, most = (runs + groups - 1) / groups;
     whirl_status first = whirl_ok();
     size_t failed = groups;
 #pragma omp parallel for num_threads(w->place->of->threads) schedule(dynamic)
@@ -322,7 +417,7 @@ static void run_derive(const run_work *w, const double *numbers, double *slopes)
     const whirl_fit *fit = w->place->of->fit;
     for (size_t u = 0; u < fit->unknown_count; u++) {
         const run_stencil *stencil;
-        const double h = run_choose(&fit->unknowns[u], w->place->values[u], &stencil);
+        const double h = run_choose(w, &fit->unknowns[u], w->place->values[u], &stencil);
         for (size_t i = 0; i < w->count; i++) {
             double sum = stencil->own * numbers[i];
             for (size_t k = 0; k < RUN_STENCIL; k++)
@@ -334,7 +429,11 @@ static void run_derive(const run_work *w, const double *numbers, double *slopes)
 
 /// Sets what is the same for all runs of a motion.
 static void run_begin(run_work *w, const fit_place *p) {
-    *w = (run_work){.place = p, .run = p->motion->run, .record = whirl_record_default()};
+    *w = (run_work){.place = p,
+                    .run = p->motion->run,
+                    .together = RUN_TOGETHER,
+                    .difference = run_difference,
+                    .record = whirl_record_default()};
     whirl_analysis_add(&w->runup, "runup");
     w->record.runup = *w->run->options;
 }
@@ -347,6 +446,7 @@ whirl_status fit_run(const fit_place *p, fit_orbit *tried, double *model, double
     const size_t rows = w.run->count, end = w.run->first + rows, runs = 1 + RUN_STENCIL * fit->unknown_count;
     while (w.first < fit->number_count && fit->numbers[w.first].motion < w.run->first) w.first++;
     while (w.first + w.count < fit->number_count && fit->numbers[w.first + w.count].motion < end) w.count++;
+    if (w.run->waveform) w.instants = run_count_instants(&w);
     // Carry out the runs, and derive their numbers.
     double *numbers = calloc(runs * w.count + 2 * rows + 1, sizeof *numbers);
     double *speeds = numbers + runs * w.count, *times = speeds + rows;
@@ -368,6 +468,31 @@ whirl_status fit_run(const fit_place *p, fit_orbit *tried, double *model, double
     return status;
 }
 
+/// Fails for a run that ends before a time of its table, or begins at another speed than its record.
+static whirl_status run_check_table(const run_work *w, const whirl_machine *machine) {
+    static const double same = 0.05;
+    const whirl_fit *fit = w->place->of->fit;
+    const double length = run_length(machine, machine->run ? machine->run : &w->record.runup);
+    const double speed = run_first_speed(machine);
+    if (w->run->first_speed > 0.0 && fabs(speed - w->run->first_speed) > same * w->run->first_speed)
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "the run of entry %zu of the data begins at %.6g rad/s, and its record at %.6g rad/s",
+                          w->run->set + 1, speed, w->run->first_speed);
+    if (!w->run->by_time || !(length > 0.0)) return whirl_ok();
+    for (size_t i = 0; i < fit->number_count; i++) {
+        const whirl_fit_number *number = &fit->numbers[i];
+        const whirl_fit_motion *motion = &fit->motions[number->motion];
+        if (motion->run != w->run) continue;
+        const double table = w->run->waveform ? number->at : motion->time, time = table - machine->delay;
+        if (time < 0.0 || time > length * (1.0 + 1e-9))
+            return whirl_fail(WHIRL_BAD_INPUT,
+                              "the time %.10g s of entry %zu of the data is outside of its run, which lasts from %.10g "
+                              "to %.10g s",
+                              table, w->run->set + 1, machine->delay, machine->delay + length);
+    }
+    return whirl_ok();
+}
+
 whirl_status fit_runs_check(const whirl_study *study, const whirl_batch *batch) {
     const fit_motions motions = {.study = study, .batch = batch, .fit = batch->fit};
     const whirl_fit *fit = batch->fit;
@@ -382,7 +507,8 @@ whirl_status fit_runs_check(const whirl_study *study, const whirl_batch *batch) 
         run_begin(&w, &p);
         run_request(&p, w.runup, &w.record);
         p.batch.outline = true;
-        const whirl_status status = fit_place_machine(&p, &machine);
+        whirl_status status = fit_place_machine(&p, &machine);
+        if (status.code == WHIRL_OK) status = run_check_table(&w, &machine);
         if (machine.release) machine.release(machine.owner);
         if (status.code != WHIRL_OK) return status;
     }
