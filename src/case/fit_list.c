@@ -14,6 +14,12 @@ static void *fit_list_grow(fit_maker *m, void *list, size_t count, size_t *capac
     return out;
 }
 
+void fit_list_sum(fit_maker *m, size_t count, const double *terms) {
+    double sum = 1.618033988749895 * m->checksum;
+    for (size_t i = 0; i < count; i++) sum += terms[i];
+    m->checksum = fmod(sum, 4096.0);
+}
+
 whirl_status fit_list_motion(fit_maker *m, const whirl_fit_motion *motion) {
     if (m->fit.motion_count == WHIRL_MAX_FIT_MOTIONS)
         return whirl_fail(WHIRL_BAD_INPUT, "there are more than %d motions", WHIRL_MAX_FIT_MOTIONS);
@@ -30,8 +36,7 @@ whirl_status fit_list_number(fit_maker *m, const whirl_fit_number *number) {
     if (!m->numbers) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a fit");
     m->numbers[m->fit.number_count] = *number;
     m->numbers[m->fit.number_count++].motion = m->fit.motion_count - 1;
-    m->checksum = fmod(1.618033988749895 * m->checksum + number->value * 1e6 + number->at + (double)number->quantity +
-                           number->noise * 1e3,
-                       4096.0);
+    const double terms[] = {number->value * 1e6, number->at, (double)number->quantity, number->noise * 1e3};
+    fit_list_sum(m, sizeof terms / sizeof *terms, terms);
     return whirl_ok();
 }

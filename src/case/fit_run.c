@@ -1,4 +1,5 @@
 #include "fit_run.h"
+#include "fit_list.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -11,11 +12,12 @@
 
 /// Reports keys of a study `runup` that do not belong to the run of a fit: those of its axis and of its results.
 static void fit_run_check_keys(case_reader *reader, const setting_list *keys) {
-    static const char *const unused[] = {
-        "name",    "parameter",      "from",          "to",        "points", "step",     "scale",       "values",
-        "spectra", "spectrum_turns", "highest_order", "slow_roll", "orbits", "waveform", "sensitivity", "stationary"};
-    for (size_t i = 0; i < sizeof unused / sizeof *unused; i++) {
-        const setting *given = settings_find(keys, unused[i]);
+    static const char *const unused[] = {"name",      "spectra", "spectrum_turns", "highest_order",
+                                         "slow_roll", "orbits",  "waveform",       "sensitivity",
+                                         "stationary"};
+    for (size_t i = 0; i < schema_axis.key_count + sizeof unused / sizeof *unused; i++) {
+        const char *key = i < schema_axis.key_count ? schema_axis.keys[i].name : unused[i - schema_axis.key_count];
+        const setting *given = settings_find(keys, key);
         if (given)
             problem_at_key(reader->problems, given->place,
                            "has no meaning for the run of a fit, expected the speeds of the run, its beginning and its "
@@ -57,9 +59,7 @@ bool fit_run_check(case_reader *reader, valuation *v, const fit_set *set) {
 static void fit_run_sum(fit_maker *m, const whirl_runup_options *options) {
     for (const whirl_member *member = whirl_runup_members(); member->part; member++)
         if (member->type == WHIRL_MEMBER_NUMBER)
-            m->checksum =
-                fmod(1.618033988749895 * m->checksum + *(const double *)((const char *)options + member->offset) * 1e3,
-                     4096.0);
+            fit_list_sum(m, 1, (double[]){*(const double *)((const char *)options + member->offset) * 1e3});
 }
 
 whirl_status fit_run_make(fit_maker *m, const fit_set *set, whirl_fit_run **out) {

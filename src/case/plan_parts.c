@@ -96,9 +96,8 @@ static void check_range_keys(case_reader *reader, const setting_list *sweep) {
 
 /// Reports keys that exclude a list of values.
 static void check_list_keys(case_reader *reader, const setting_list *sweep) {
-    static const char *const others[] = {"from", "to", "points", "step", "scale"};
-    for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
-        const setting *other = settings_find(sweep, others[i]);
+    for (size_t i = 1; i + 1 < schema_axis.key_count; i++) {
+        const setting *other = settings_find(sweep, schema_axis.keys[i].name);
         if (other)
             problem_at_key(reader->problems, other->place, "is given together with values, expected one of the two");
     }

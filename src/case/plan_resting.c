@@ -127,7 +127,6 @@ static void read_conditions(case_reader *reader, plan_parts *parts) {
 static void read_one(case_reader *reader, const file_node *where, const whirl_group *group,
                      const machine_parts *machine, plan_parts *parts) {
     // Add a study, unless there are too many.
-    static const char *const keys[] = {"from", "to", "points", "step", "scale", "values"};
     if (parts->resting_count == PLAN_MAX_RESTING) {
         problem_at(reader->problems, where,
                    "is one study too many at rest or of motions with unbalances by rule, expected at most %d",
@@ -152,8 +151,8 @@ static void read_one(case_reader *reader, const file_node *where, const whirl_gr
     if (group == &schema_at_rest[SCHEMA_AT_REST_fit]) resting->fit = fit_read(reader, machine, &axis->keys);
     if (group == &schema_motions) read_unbalances(reader, parts, resting);
     // Refuse keys of an axis without a parameter.
-    for (size_t i = 0; i < sizeof keys / sizeof *keys && !varies; i++) {
-        const setting *given = settings_find(&axis->keys, keys[i]);
+    for (size_t i = 1; i < schema_axis.key_count && !varies; i++) {
+        const setting *given = settings_find(&axis->keys, schema_axis.keys[i].name);
         if (given) problem_at_key(reader->problems, given->place, "needs parameter, whose values it gives");
     }
 }

@@ -128,6 +128,7 @@ static const whirl_key sweep_keys[] = {
                "with start: carry, along rising or falling values, or both, which shows hysteresis"),
 };
 
+// Others rely on the order of these keys: `parameter` is the first, `values` the last.
 static const whirl_key axis_keys[] = {AXIS_KEYS(true)};
 
 static const whirl_key map_keys[] = {
