@@ -80,7 +80,7 @@ _whirl_options() {
     merge) echo '-o --output= --set= --threads= --json --json=full --force --refine --refine= --max-time= --quiet --help' ;;
     verify) echo '--points= --method= --revolutions= --set= --threads= --json --quiet --help' ;;
     report) echo '-o --output= --claims= --gnuplot= --explorer= --units= --lateral --torsional --weasyprint= --force --quiet --help' ;;
-    figure) echo '-o --output= --list --with= --format= --units= --log= --panels= --gnuplot= --force --help' ;;
+    figure) echo '-o --output= --list --with= --columns= --format= --units= --log= --panels= --gnuplot= --force --help' ;;
     table) echo '-o --output= --list --format= --units= --force --help' ;;
     show) echo '--json --json=full --help' ;;
     export) echo '--csv= --mat= --force --help' ;;

@@ -10,11 +10,12 @@
 #include "output.h"
 #include "whirl/engine/figure.h"
 
-enum { KEY_FORCE = 0x100, KEY_LIST, KEY_FORMAT, KEY_UNITS, KEY_LOG, KEY_PANELS, KEY_GNUPLOT, KEY_WITH };
+enum { KEY_FORCE = 0x100, KEY_LIST, KEY_FORMAT, KEY_UNITS, KEY_LOG, KEY_PANELS, KEY_GNUPLOT, KEY_WITH, KEY_COLUMNS };
 
 typedef struct figure_arguments {
     const char *result, *name, *output, *format, *gnuplot, *with;
     whirl_figure_options how;
+    chosen_columns columns;
     bool force, list;
 } figure_arguments;
 
@@ -35,6 +36,11 @@ static const struct argp_option options[] = {
      .key = KEY_WITH,
      .arg = "FILE",
      .doc = "Draw the same figure of this result or record into it, dashed: a measurement over a model"},
+    {.name = "columns",
+     .key = KEY_COLUMNS,
+     .arg = "COLUMNS",
+     .doc = "Columns of a measured file, RESULT or that of --with: 'HEADING=NAME; ...' with the names in the file, "
+            "'time [s]=t; keyphasor=key; de x [um]=X[:, 0]'; in a CSV file its headings, or 'column 3'"},
     {.name = "gnuplot", .key = KEY_GNUPLOT, .arg = "PROGRAM", .doc = "gnuplot program (default: the one on the PATH)"},
     {.name = "force", .key = KEY_FORCE, .doc = "Replace an existing file"},
     {0},
@@ -44,6 +50,28 @@ static bool is_one_of(const char *word, const char *const *words) {
     for (; *words; words++)
         if (strcmp(word, *words) == 0) return true;
     return false;
+}
+
+/// Takes the columns of a text 'HEADING=NAME; ...', which it changes.
+static void figure_read_columns(char *text, chosen_columns *out, struct argp_state *state) {
+    for (char *next = text; next;) {
+        char *one = next, *equals = strchr(one, '='), *end = strchr(one, ';');
+        next = end ? end + 1 : NULL;
+        if (end) *end = '\0';
+        one += strspn(one, " ");
+        if (!*one && !next) break; // a text may end with ';'
+        if (!equals || (end && equals > end) || equals == one || !equals[1])
+            bad_argument(state, "--columns has '%s', expected HEADING=NAME, such as 'time [s]=t'", one);
+        if (out->count == MAX_CHOSEN_COLUMNS)
+            bad_argument(state, "--columns has more than %d columns, '%s' is one too many", MAX_CHOSEN_COLUMNS, one);
+        char *last = equals;
+        while (last > one && last[-1] == ' ') last--;
+        *last = '\0';
+        char *name = equals + 1 + strspn(equals + 1, " ");
+        for (char *tail = name + strlen(name); tail > name && tail[-1] == ' ';) *--tail = '\0';
+        out->headings[out->count] = one;
+        out->names[out->count++] = name;
+    }
 }
 
 static error_t figure_parse(int key, char *argument, struct argp_state *state) {
@@ -74,6 +102,9 @@ static error_t figure_parse(int key, char *argument, struct argp_state *state) {
         return 0;
     case KEY_WITH:
         arguments->with = argument;
+        return 0;
+    case KEY_COLUMNS:
+        figure_read_columns(argument, &arguments->columns, state);
         return 0;
     case KEY_GNUPLOT:
         arguments->gnuplot = argument;
@@ -138,15 +169,23 @@ static int write(const whirl_result *result, const figure_arguments *arguments) 
     return outcome;
 }
 
-static int act(const whirl_result *result, const void *given) {
-    figure_arguments arguments = *(const figure_arguments *)given;
-    whirl_result *with = NULL;
-    if (arguments.list) return print_names(result, &arguments);
-    int outcome = arguments.with ? load_result(arguments.with, &with) : EXIT_DONE;
-    arguments.how.with = with;
-    if (outcome == EXIT_DONE) outcome = write(result, &arguments);
+static int figure_act(figure_arguments *arguments) {
+    whirl_result *result = NULL, *with = NULL;
+    bool chosen = false;
+    keep_private(arguments->result);
+    int outcome = load_result_columns(arguments->result, &arguments->columns, &result, &chosen);
+    if (outcome == EXIT_DONE && arguments->with && !arguments->list)
+        outcome = load_result_columns(arguments->with, &arguments->columns, &with, &chosen);
+    if (outcome == EXIT_DONE && arguments->columns.count > 0 && !chosen) {
+        complain("--columns chooses columns of a measured file, and '%s' is a result", arguments->result);
+        outcome = EXIT_BAD_INPUT;
+    }
+    arguments->how.with = with;
+    if (outcome == EXIT_DONE) outcome = arguments->list ? print_names(result, arguments) : write(result, arguments);
     whirl_result_free(with);
-    return outcome;
+    whirl_result_free(result);
+    const int written = finish_output();
+    return outcome == EXIT_DONE ? written : outcome;
 }
 
 static int figure_run(int argc, char **argv) {
@@ -159,11 +198,11 @@ static int figure_run(int argc, char **argv) {
                "@#NUMBER[:STATION] make figures of any field and of any point. TABLE/NAME is the figure of that table. "
                "RESULT is a result file, or a record of a run-up or coast-down (CSV, HDF5, MAT or UFF) with the "
                "headings 'time [s]', 'keyphasor' or 'speed [rpm]', and two probes a station: 'de x [um]', or "
-               "'de 45 [um]' in degrees.",
+               "'de 45 [um]' in degrees; --columns chooses them by their names.",
     };
     figure_arguments arguments = {0};
     const int read = read_arguments(&argp, argc, argv, 0, &arguments);
-    return read == EXIT_DONE ? with_result(arguments.result, act, &arguments) : read;
+    return read == EXIT_DONE ? figure_act(&arguments) : read;
 }
 
 const command figure_command = {"figure", "write one figure of a result", figure_run};

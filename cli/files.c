@@ -85,6 +85,16 @@ int load_result(const char *path, whirl_result **result) {
     return load(path, is_record(path) ? whirl_result_read_record : whirl_result_read, result);
 }
 
+int load_result_columns(const char *path, const chosen_columns *columns, whirl_result **result, bool *chosen) {
+    const bool text = !arrays_is_file(path) && !is_case(path);
+    if (columns->count == 0 || !(is_record(path) || text)) return load_result(path, result);
+    *chosen = true;
+    const whirl_status status =
+        whirl_result_read_record_columns(path, columns->headings, columns->names, columns->count, result);
+    complain_of(&status);
+    return status.code == WHIRL_OK ? EXIT_DONE : status.code == WHIRL_NO_MEMORY ? EXIT_FAILED : EXIT_BAD_INPUT;
+}
+
 int with_result(const char *path, result_action *act, const void *arguments) {
     whirl_result *result;
     keep_private(path);

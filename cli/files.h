@@ -7,6 +7,9 @@
 #include "whirl/engine/case.h"
 #include "whirl/engine/result.h"
 
+/// Most columns that can be chosen from a measured file.
+enum { MAX_CHOSEN_COLUMNS = 128 };
+
 /// Returns true if a file that should be a case is a result or a rotor of ROSS, by its first bytes, after reporting
 /// which command takes it.
 bool is_other_than_case(const char *path);
@@ -22,6 +25,16 @@ whirl_status read_case(const char *path, whirl_problems *problems, whirl_case **
 
 /// Reads a result, or a record (NAME.csv). Returns the exit status, after reporting an error for other files.
 int load_result(const char *path, whirl_result **result);
+
+/// Columns that are chosen from a measured file: headings, each with its name in the file.
+typedef struct chosen_columns {
+    size_t count;
+    const char *headings[MAX_CHOSEN_COLUMNS], *names[MAX_CHOSEN_COLUMNS]; ///< [count]
+} chosen_columns;
+
+/// Reads a result, or a record of which columns are chosen; without columns as load_result. *chosen becomes true if
+/// columns were chosen from it.
+int load_result_columns(const char *path, const chosen_columns *columns, whirl_result **result, bool *chosen);
 
 /// A command's function of a result and its arguments; returns the exit status.
 typedef int result_action(const whirl_result *result, const void *arguments);

@@ -5,7 +5,8 @@ function drawn = whirl_figure(file, varargin)
 %   coast-down (.csv; guide, chapter 16). WHIRL_FIGURE(..., 'with', FILE2) draws the same figure of another result or
 %   record into this one, dashed. WHIRL_FIGURE(FILE, NAME) draws the figure NAME; WHIRL_FIGURE(FILE, 'list') prints all
 %   names, and NAMES = WHIRL_FIGURE(FILE, 'list') returns them. WHIRL_FIGURE(..., 'panels', 'x,exponent') draws only
-%   these panels; 'units', 'um, rpm' uses these units; 'log', 'xy' makes both axes logarithmic.
+%   these panels; 'units', 'um, rpm' uses these units; 'log', 'xy' makes both axes logarithmic; 'columns',
+%   'time [s]=t; keyphasor=key; de x [um]=X[:, 0]; de y [um]=X[:, 1]' chooses columns of a measured file.
 %
 %   DRAWN = WHIRL_FIGURE(...) is a struct: figure and axes (handles, one for each panel), legend and scale (handles of
 %   their axes, empty without them), and data, the description of docs/figures.md.
@@ -20,7 +21,8 @@ end
 if nargin < 1 || ~is_text(text_of(file))
     error('whirl:badInput', 'whirl_figure takes the name of a result file, or what whirl_read gives');
 end
-[places, options] = arguments_of(varargin, {''}, struct('panels', '', 'units', '', 'log', '', 'with', ''));
+named = struct('panels', '', 'units', '', 'log', '', 'with', '', 'columns', '');
+[places, options] = arguments_of(varargin, {''}, named);
 arguments = ['figure ' quoted(file_of(text_of(file)))];
 if strcmp(places{1}, 'list')
     listing = answer([arguments ' --list' given(options)]);

@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "whirl/internal/measured.h"
 #include "whirl/signals.h"
@@ -38,13 +39,61 @@ static void measured_write(text *t, const whirl_measured_table *measured) {
     text_add(t, "]}");
 }
 
-EXPORTED const char *explorer_measured(const whirl_case *object, const char *name, const void *bytes, size_t size) {
-    whirl_measured_table *measured;
-    const whirl_status status = whirl_measured_read(object, name, bytes, size, &measured);
+/// Most columns that are chosen.
+enum { MEASURED_COLUMNS = 256 };
+
+/// Takes the columns of a text, a line for each, which it changes. Returns their number.
+static size_t measured_choose(char *lines, csv_chosen chosen[MEASURED_COLUMNS]) {
+    size_t count = 0;
+    for (char *line = lines; *line && count < MEASURED_COLUMNS;) {
+        char *tab = strchr(line, '\t'), *end = strchr(line, '\n');
+        if (!tab || !end || tab > end) break;
+        *tab = *end = '\0';
+        chosen[count++] = (csv_chosen){line, tab + 1};
+        line = end + 1;
+    }
+    return count;
+}
+
+EXPORTED const char *explorer_measured(const whirl_case *object, const char *name, const void *bytes, size_t size,
+                                       const char *columns) {
+    whirl_measured_table *measured = NULL;
+    csv_chosen chosen[MEASURED_COLUMNS];
+    char *lines = malloc(strlen(columns) + 1);
+    whirl_status status = lines ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for columns");
+    if (status.code == WHIRL_OK) {
+        strcpy(lines, columns);
+        const size_t count = measured_choose(lines, chosen);
+        status = whirl_measured_read(object, name, bytes, size, chosen, count, &measured);
+    }
+    free(lines);
     if (!explorer_good(&status)) return NULL;
     text_clear(&answer);
     measured_write(&answer, measured);
     whirl_measured_free(measured);
+    return text_bytes(&answer);
+}
+
+EXPORTED const char *explorer_measured_columns(const char *name, const void *bytes, size_t size) {
+    csv_listed *columns;
+    size_t count;
+    const whirl_status status = csv_list(name, bytes, size, &columns, &count);
+    if (!explorer_good(&status)) return NULL;
+    text_clear(&answer);
+    text_add(&answer, "[");
+    for (size_t i = 0; i < count; i++) {
+        json_next(&answer);
+        text_add(&answer, "{");
+        json_name(&answer, "name");
+        json_text(&answer, columns[i].name);
+        json_name(&answer, "unit");
+        json_text(&answer, columns[i].unit);
+        json_name(&answer, "count");
+        json_number(&answer, (double)columns[i].count);
+        text_add(&answer, "}");
+    }
+    text_add(&answer, "]");
+    free(columns);
     return text_bytes(&answer);
 }
 

@@ -3,7 +3,7 @@ import type { Run } from './data/run';
 import { needsSpectra } from './data/quantities';
 import { FIELD } from './data/fields';
 import { isTyping, releaseFields } from './dom';
-import type { Engine } from './engine/protocol';
+import type { ChosenColumn, Engine } from './engine/protocol';
 import type { Range } from './figure/chart';
 import { anyFollows } from './model/derived';
 import { History } from './model/history';
@@ -60,6 +60,9 @@ export class App {
         files: (files) => void this.measure(files),
         removed: (name) => session.measured.remove(session.machine.name, name),
         forgiven: () => session.measured.forgive(),
+        asked: (name) => void session.measured.ask(session.machine.name, name),
+        chosen: (name, columns) => void this.chooseMeasured(name, columns),
+        dismissed: (name) => session.measured.dismiss(name),
       },
       document: { part: (id) => this.toPart(id), station: (name) => this.change({ station: name }) },
     });
@@ -562,6 +565,16 @@ export class App {
     const { session } = this;
     if (files.length === 0) return;
     await session.addMeasured(files);
+    this.showMeasured();
+  }
+
+  private async chooseMeasured(name: string, columns: readonly ChosenColumn[]): Promise<void> {
+    await this.session.chooseMeasured(name, columns);
+    this.showMeasured();
+  }
+
+  private showMeasured(): void {
+    const { session } = this;
     this.later('all');
     const { diagram, range } = session.sight;
     // A stored diagram may lack the spectra over which vectors lie.

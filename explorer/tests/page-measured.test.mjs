@@ -343,3 +343,66 @@ test('bands of tolerances are shaded in the diagram and in the Bode diagram', as
   assert.deepEqual(rest.complaints, []);
   await rest.close();
 });
+
+test('the user chooses the columns of a file, its keyphasor says where the mark is', async () => {
+  const { page, complaints, close } = await open(makePage('columns', WHEEL));
+  await page.waitForSelector('.parameter');
+  await page.fill('#value-a', '1500');
+  await page.press('#value-a', 'Enter');
+  await settled(page);
+
+  // Raw signals at 1500 rpm that begin 0.3 of a turn after the mark, which is where the edge of the keyphasor rises.
+  const { size, lag } = response(1500);
+  const rows = Array.from({ length: 2000 }, (_, i) => {
+    const time = i / 5000;
+    const angle = 2 * Math.PI * (25 * time + 0.3);
+    const at = angle - (lag * Math.PI) / 180;
+    return [time, Math.asin(Math.sin(angle)), size * Math.cos(at), size * Math.sin(at)].join(',');
+  });
+  await drop(page, [['raw.csv', ['t,tacho,CH1,CH2', ...rows].join('\n')]]);
+  await page.waitForSelector('.chooser');
+  assert.match(await page.textContent('.measured .trouble'), /^raw\.csv:1:1: there is no column 'angle/);
+  assert.equal(await page.inputValue('[aria-label="Use of t"]'), 'time');
+  assert.equal(await page.inputValue('[aria-label="Use of tacho"]'), 'keyphasor');
+  assert.deepEqual(await list(page), []);
+
+  // Without probes the choice is refused, and stays.
+  await page.click('.chooser button[type="submit"]');
+  await page.waitForFunction(() => /no probe/.test(document.querySelector('.measured .trouble').textContent));
+  await page.selectOption('[aria-label="Use of CH1"]', 'disc x');
+  await page.selectOption('[aria-label="Use of CH2"]', 'other…');
+  await page.fill('[aria-label="Heading of CH2"]', 'disc 90');
+  assert.equal(await page.inputValue('[aria-label="Unit of CH1"]'), 'um');
+  await page.click('.chooser button[type="submit"]');
+  await page.waitForSelector('.measured li');
+  await page.waitForSelector('.chooser', { state: 'detached' });
+  assert.match((await list(page))[0], /^raw\.csv: waveform of disc at 1[,\u202f ]?500 rpm, 2000 samples$/);
+  const difference = async () => {
+    await page.waitForSelector('.panel-waveform .key-measured');
+    const text = await page.textContent('.panel-waveform .key-measured');
+    return Number(/differs by (\S+) \u00b5m rms/.exec(text)[1].replace('\u2212', '-'));
+  };
+  assert.ok((await difference()) < 2e-3 * size, `${await difference()} of ${size}`);
+
+  // The columns of a file that is shown are chosen again: without the keyphasor the mark is elsewhere.
+  await page.click('.measured button[title="Choose the columns of raw.csv"]');
+  await page.waitForSelector('.chooser');
+  await page.selectOption('[aria-label="Use of tacho"]', 'not used');
+  await page.selectOption('[aria-label="Use of CH1"]', 'disc x');
+  await page.selectOption('[aria-label="Use of CH2"]', 'disc y');
+  await page.click('.chooser button[type="submit"]');
+  await page.waitForFunction(() => !/rpm/.test(document.querySelector('.measured li > .key').textContent));
+  assert.deepEqual(await list(page), ['raw.csv: waveform of disc, 2000 samples']);
+  // Two sines that are 0.3 of a turn apart differ by 2 sin(0.3 pi) of their amplitude.
+  const apart = (2 * Math.sin(0.3 * Math.PI) * size) / Math.SQRT2;
+  await page.waitForFunction((expected) => {
+    const text = document.querySelector('.panel-waveform .key-measured')?.textContent ?? '';
+    const found = Number(/differs by (\S+) /.exec(text)?.[1] ?? NaN);
+    return Math.abs(found / expected - 1) < 5e-3;
+  }, apart);
+  await page.click('.measured button[title="Choose the columns of raw.csv"]');
+  await page.click('.chooser button[title="Cancel the choice of the columns of raw.csv"]');
+  await page.waitForSelector('.chooser', { state: 'detached' });
+  assert.deepEqual(complaints, []);
+  await close();
+});

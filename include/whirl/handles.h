@@ -43,14 +43,20 @@ whirl_status whirl_result_read_outline(const char *path, whirl_result **outline)
 /// which is the title. WHIRL_BAD_INPUT names file, line and column. The turn before the second pulse is left out.
 whirl_status whirl_result_read_record(const char *path, whirl_result **result);
 
+/// Reads a measured record as whirl_result_read_record does, of which columns with the headings [count] are chosen by
+/// their names [count] in the file, as in whirl_columns_read; all columns if `count` is 0. Errors likewise.
+whirl_status whirl_result_read_record_columns(const char *path, const char *const *headings, const char *const *names,
+                                              size_t count, whirl_result **result);
+
 /// Columns of numbers of a measured file.
 typedef struct whirl_columns whirl_columns;
 
 /// Reads columns of a table of comma-separated values, or of an HDF5, MAT (version 4 to 7.3) or universal file
 /// (datasets 58 and 58b). `count` columns with the headings [count] are chosen by their names [count] in the file: a
-/// dataset or variable, "run/x", a part of one in which one index runs, "run/signals[:, 2]", or a record of a universal
-/// file, "record 2". With 0 all vectors are columns, under their own names and units. WHIRL_BAD_INPUT names the file,
-/// and what is wrong in it; WHIRL_IO_ERROR if it cannot be read.
+/// dataset or variable, "run/x", a part of one in which one index runs, "run/signals[:, 2]", a record of a universal
+/// file, "record 2", or a heading of a table of comma-separated values, with or without its unit, or "column 3". With 0
+/// all vectors are columns, under their own names and units. WHIRL_BAD_INPUT names the file, and what is wrong in it;
+/// WHIRL_IO_ERROR if it cannot be read.
 whirl_status whirl_columns_read(const char *path, const char *const *headings, const char *const *names, size_t count,
                                 whirl_columns **columns);
 size_t whirl_columns_count(const whirl_columns *columns);                        ///< Number of columns.

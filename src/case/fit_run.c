@@ -12,9 +12,8 @@
 
 /// Reports keys of a study `runup` that do not belong to the run of a fit: those of its axis and of its results.
 static void fit_run_check_keys(case_reader *reader, const setting_list *keys) {
-    static const char *const unused[] = {"name",      "spectra", "spectrum_turns", "highest_order",
-                                         "slow_roll", "orbits",  "waveform",       "sensitivity",
-                                         "stationary"};
+    static const char *const unused[] = {"name",   "spectra",  "spectrum_turns", "highest_order", "slow_roll",
+                                         "orbits", "waveform", "sensitivity",    "stationary"};
     for (size_t i = 0; i < schema_axis.key_count + sizeof unused / sizeof *unused; i++) {
         const char *key = i < schema_axis.key_count ? schema_axis.keys[i].name : unused[i - schema_axis.key_count];
         const setting *given = settings_find(keys, key);

@@ -1,7 +1,6 @@
 // Tables of measured numbers: their headings, and their rows as numbers of motions.
 #include "fit_table.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,6 +15,7 @@
 #include "tree.h"
 #include "two_pi.h"
 #include "whirl/internal/arrays.h"
+#include "whirl/signals.h"
 
 enum { FIT_INSTANTS = 64, FIT_MAX_ORDER = 64, FIT_PATH = 4096 };
 
@@ -153,6 +153,15 @@ static whirl_status fit_heading(fit_maker *m, size_t column, bool vectors) {
         own->kind = FIT_TIME;
         return csv_unit(&m->table, column, "s", "s", &own->size);
     }
+    // Recognize the pulses of the mark.
+    if (strcmp(heading->name, "keyphasor") == 0) {
+        own->kind = FIT_KEYPHASOR;
+        if (vectors || m->run)
+            return FIT_FAIL(m, column,
+                            "is a keyphasor, expected displacements over the time of a motion at one speed%s",
+                            m->run ? "; in a run the key angle of runup says where the mark is" : "");
+        return whirl_ok();
+    }
     // Recognize the speed.
     if (strcmp(heading->name, "speed") == 0) {
         own->kind = FIT_SPEED;
@@ -257,16 +266,45 @@ static whirl_status fit_check_time(const fit_maker *m, const fit_set *set, size_
     return whirl_ok();
 }
 
+/// Finds the first pulse of the keyphasor of a waveform, s, if it has one: the mark is at the x axis then. Outside of a
+/// fit, the speed of the motion is the mean speed over all pulses.
+static whirl_status fit_find_mark(fit_maker *m, size_t time, double *first) {
+    const csv_table *table = &m->table;
+    size_t column = 0, pulses = 0;
+    *first = 0.0;
+    while (column < table->column_count && m->columns[column].kind != FIT_KEYPHASOR) column++;
+    if (column == table->column_count) return whirl_ok();
+    double *times = malloc((table->count + table->count / 2 + 2) * sizeof *times), threshold, hysteresis;
+    if (!times) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a keyphasor");
+    double *instants = times + table->count;
+    for (size_t i = 0; i < table->count; i++) times[i] = fit_cell(m, time, i);
+    const double *voltage = csv_numbers(table, column);
+    whirl_status status = whirl_signals_threshold(voltage, table->count, &threshold, &hysteresis);
+    if (status.code == WHIRL_OK)
+        status = whirl_signals_pulses(times, voltage, table->count, threshold, hysteresis, true, instants, &pulses);
+    if (status.code == WHIRL_OK && pulses < 2)
+        status = whirl_fail(WHIRL_BAD_INPUT, "it has %zu pulse%s, expected at least 2", pulses, pulses == 1 ? "" : "s");
+    if (status.code == WHIRL_OK) {
+        *first = instants[0];
+        if (m->revolutions == 0) m->speed = two_pi * (double)(pulses - 1) / (instants[pulses - 1] - instants[0]);
+    }
+    free(times);
+    return status.code == WHIRL_BAD_INPUT ? FIT_FAIL(m, column, "%.200s", status.message) : status;
+}
+
 /// Adds the displacements over the time of one motion.
 static whirl_status fit_take_waveform(fit_maker *m, const fit_set *set, size_t time) {
     enum { INSTANTS = 256 };
-    whirl_status status = fit_add_motion(m, m->at_count, m->at, m->run ? 0.0 : m->speed, INSTANTS);
+    double mark;
+    whirl_status status = fit_find_mark(m, time, &mark);
+    if (status.code == WHIRL_OK) status = fit_add_motion(m, m->at_count, m->at, m->run ? 0.0 : m->speed, INSTANTS);
     if (status.code == WHIRL_OK && m->run) m->run->count = 1;
     for (size_t i = 0; i < m->table.count && status.code == WHIRL_OK; i++) {
         if (m->run) status = fit_check_time(m, set, time, i);
         for (size_t c = 0; c < m->table.column_count && status.code == WHIRL_OK; c++)
             if (m->columns[c].kind == FIT_DISPLACEMENT)
-                status = fit_add_number(m, &m->columns[c], WHIRL_FIT_WAVEFORM, fit_cell(m, time, i), fit_cell(m, c, i));
+                status = fit_add_number(m, &m->columns[c], WHIRL_FIT_WAVEFORM, fit_cell(m, time, i) - mark,
+                                        fit_cell(m, c, i));
     }
     return status;
 }
@@ -436,25 +474,13 @@ static whirl_status fit_take_table(fit_maker *m, const fit_set *set) {
     return vectors ? fit_take_vectors(m, along) : fit_take_samples(m, along);
 }
 
-/// Returns true for a name that ends as those of HDF5, MAT and universal files do, in letters of any size.
-static bool fit_is_measured(const char *name) {
-    static const char *const ends[] = {".h5", ".hdf5", ".mat", ".uff", ".unv"};
-    const char *dot = strrchr(name, '.');
-    for (size_t i = 0; dot && i < sizeof ends / sizeof *ends; i++) {
-        size_t k = 0;
-        while (dot[k] && tolower((unsigned char)dot[k]) == ends[i][k]) k++;
-        if (!dot[k] && !ends[i][k]) return true;
-    }
-    return false;
-}
-
 /// Reads the columns of a measured file that the case chooses.
 static whirl_status fit_read_chosen(fit_maker *m, const fit_set *set, const char *path) {
     csv_chosen chosen[FIT_MAX_COLUMNS];
     size_t count = 0;
     for (const file_node *one = set->columns->first; one; one = one->next)
         chosen[count++] = (csv_chosen){one->key, one->text};
-    return csv_load_vectors(path, chosen, count, FIT_MAX_COLUMNS, &m->table);
+    return csv_load_chosen(path, chosen, count, FIT_MAX_COLUMNS, &m->table);
 }
 
 whirl_status fit_table_read(fit_maker *m, const fit_set *set) {
@@ -467,21 +493,19 @@ whirl_status fit_table_read(fit_maker *m, const fit_set *set) {
         snprintf(sentence, sizeof sentence, "%.100s is too long for the path of a table", name);
         return fit_fail_at(m, set->file, sentence);
     }
-    const bool arrays = arrays_is_file(path) || fit_is_measured(name);
+    const bool arrays = arrays_is_file(path) || csv_is_measured(name);
     whirl_status status;
     if (arrays && record) {
         status = fit_record_read(m, set, path, (size_t)settings_number(m->v, &set->keys, "record"));
-    } else if (arrays && set->columns) {
+    } else if (set->columns) {
         status = fit_read_chosen(m, set, path);
     } else if (arrays) {
         status = csv_load_vectors(path, NULL, 0, FIT_MAX_COLUMNS, &m->table);
     } else {
         status = csv_load(path, FIT_MAX_COLUMNS, &m->table);
-        if (status.code == WHIRL_OK && (record || set->columns))
-            status = fit_fail_at(m, record ? record->place : set->columns,
-                                 record ? "is given for a table of comma-separated values, expected a file in HDF5"
-                                        : "is given for a table of comma-separated values, expected an HDF5, MAT or "
-                                          "universal file");
+        if (status.code == WHIRL_OK && record)
+            status = fit_fail_at(m, record->place,
+                                 "is given for a table of comma-separated values, expected a file in HDF5");
     }
     // A file that is not there has no places: the error is at its name in the case.
     if ((status.code == WHIRL_BAD_INPUT || status.code == WHIRL_IO_ERROR) && m->table.column_count == 0 &&
@@ -494,11 +518,10 @@ whirl_status fit_table_read(fit_maker *m, const fit_set *set) {
     return status;
 }
 
-whirl_status fit_bytes_read(fit_maker *m, const char *name, const void *bytes, size_t size) {
+whirl_status fit_bytes_read(fit_maker *m, const char *name, const void *bytes, size_t size, const csv_chosen *chosen,
+                            size_t count) {
     static const fit_set alone = {.place = NULL}; // without noise
-    whirl_status status = arrays_is_bytes(bytes, size) || fit_is_measured(name)
-                              ? csv_read_vectors(name, bytes, size, FIT_MAX_COLUMNS, &m->table)
-                              : csv_read(name, bytes, size, FIT_MAX_COLUMNS, &m->table);
+    whirl_status status = csv_read_chosen(name, bytes, size, chosen, count, FIT_MAX_COLUMNS, &m->table);
     if (status.code == WHIRL_OK) status = fit_take_table(m, &alone);
     return status;
 }

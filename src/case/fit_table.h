@@ -9,7 +9,7 @@ enum { FIT_MAX_COLUMNS = 2 + 4 * WHIRL_MAX_PROBES };
 
 /// Contents of a column.
 typedef struct fit_column {
-    enum { FIT_ANGLE, FIT_TIME, FIT_SPEED, FIT_PARAMETER, FIT_DISPLACEMENT, FIT_LAG } kind;
+    enum { FIT_ANGLE, FIT_TIME, FIT_SPEED, FIT_PARAMETER, FIT_KEYPHASOR, FIT_DISPLACEMENT, FIT_LAG } kind;
     whirl_fit_quantity quantity; ///< quantity of a number without a lag: an amplitude, or a statistic
     size_t station;
     double direction, order; ///< rad; order of vectors
@@ -54,7 +54,9 @@ typedef struct fit_maker {
 whirl_status fit_table_read(fit_maker *m, const fit_set *set);
 
 /// Reads the bytes of a file that belongs to no fit, as fit_table_read does; `name` is the name of the file in
-/// messages. The caller frees m->table, also after a failure.
-whirl_status fit_bytes_read(fit_maker *m, const char *name, const void *bytes, size_t size);
+/// messages. chosen [count]: columns that are read; all if `count` is 0. The caller frees m->table, also after a
+/// failure.
+whirl_status fit_bytes_read(fit_maker *m, const char *name, const void *bytes, size_t size, const csv_chosen *chosen,
+                            size_t count);
 
 #endif

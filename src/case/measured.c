@@ -18,14 +18,14 @@ typedef struct measured_lists {
 } measured_lists;
 
 whirl_status whirl_measured_read(const whirl_case *object, const char *name, const void *bytes, size_t size,
-                                 whirl_measured_table **out) {
+                                 const csv_chosen *chosen, size_t count, whirl_measured_table **out) {
     measured_lists *own = calloc(1, sizeof *own);
     *out = NULL;
     if (!own) return whirl_fail(WHIRL_NO_MEMORY, "no memory for measured numbers");
     case_reader reader = {.arena = &own->arena, .problems = &own->problems, .parameters = &object->content.parameters};
     own->parts.machine = &object->content.machine;
     own->maker = (fit_maker){.reader = &reader, .parts = &own->parts, .noise = 1.0};
-    whirl_status status = fit_bytes_read(&own->maker, name, bytes, size);
+    whirl_status status = fit_bytes_read(&own->maker, name, bytes, size, chosen, count);
     // Keep the lists, which are in the arena, and the title, which is in the table.
     own->measured.fit = own->maker.fit;
     own->measured.fit.motions = own->maker.motions;

@@ -170,8 +170,9 @@ static const whirl_key fit_data_keys[] = {
                "path of the table: displacements of probes over `angle`, `turns` or `time`, or amplitudes and lags of "
                "orders over `speed` or a parameter"),
     CHOICE_KEY("columns", OPTIONAL, "",
-               "HDF5, MAT or UFF: headings as in a table, each with its dataset, variable or record (run/x), or a part "
-               "of one with an index that runs (run/signals[:, 2]); absent: all vectors, under their own names"),
+               "headings as in a table, each with its dataset, variable or record (run/x) of an HDF5, MAT or UFF file, "
+               "a part of one with an index that runs (run/signals[:, 2]), or a heading of a CSV file (or column 3); "
+               "absent: all vectors, under their own names"),
     WHOLE_KEY("record", "", OPTIONAL, WHIRL_FROM_TO(1, WHIRL_MAX_RECORDS),
               "file of study: dataset: number of the record, whose proximity probes are the table; parameters have its "
               "values, unless they are looked for or in `at`"),

@@ -23,8 +23,7 @@ whirl_status whirl_columns_read(const char *path, const char *const *headings, c
     if (status.code == WHIRL_OK) {
         strcpy(own->path, path);
         for (size_t i = 0; i < count; i++) chosen[i] = (csv_chosen){headings[i], names[i]};
-        status = count > 0 ? csv_load_vectors(own->path, chosen, count, COLUMNS_MAX, &own->table)
-                           : csv_load(own->path, COLUMNS_MAX, &own->table);
+        status = csv_load_chosen(own->path, chosen, count, COLUMNS_MAX, &own->table);
     }
     if (status.code == WHIRL_OK && own->table.count == 0)
         status = whirl_fail(WHIRL_BAD_INPUT, "%.200s: there is no row of numbers, expected a line of headings and some",

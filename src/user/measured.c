@@ -325,10 +325,20 @@ static whirl_status record_result(record *r, whirl_result *result) {
 }
 
 whirl_status whirl_result_read_record(const char *path, whirl_result **result) {
-    record *r = calloc(1, sizeof *r);
+    return whirl_result_read_record_columns(path, NULL, NULL, 0, result);
+}
+
+whirl_status whirl_result_read_record_columns(const char *path, const char *const *headings, const char *const *names,
+                                              size_t count, whirl_result **result) {
+    csv_chosen chosen[MAX_CHANNELS + 3];
     *result = NULL;
+    if (count > sizeof chosen / sizeof *chosen)
+        return whirl_fail(WHIRL_BAD_INPUT, "%zu columns are chosen, expected at most %zu", count,
+                          sizeof chosen / sizeof *chosen);
+    for (size_t i = 0; i < count; i++) chosen[i] = (csv_chosen){headings[i], names[i]};
+    record *r = calloc(1, sizeof *r);
     if (!r) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a record");
-    whirl_status status = csv_load(path, MAX_CHANNELS + 3, &r->table);
+    whirl_status status = csv_load_chosen(path, chosen, count, MAX_CHANNELS + 3, &r->table);
     if (status.code == WHIRL_OK) status = record_understand(r);
     if (status.code == WHIRL_OK) {
         *result = calloc(1, sizeof **result);

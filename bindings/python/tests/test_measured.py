@@ -125,6 +125,15 @@ def test_fits_and_figures_of_matlab_files(tmp_path):
     assert len(drawn[0]) > 1000 and drawn[0].replace("down.mat", "down.csv") == drawn[1]
     one, other = (whirl.signals.load(tmp_path / name) for name in ("down.mat", "down.csv"))
     assert one.statements() == other.statements()
+    # Columns with names of their own are chosen, also from a matrix.
+    odd = {"t": columns["time"], "key": columns["keyphasor"], "X": np.column_stack([columns["de_x"], columns["de_y"]])}
+    io.savemat(tmp_path / "odd.mat", odd)
+    names = {"time [s]": "t", "keyphasor": "key", "de x [um]": "X[0, :]", "de y [um]": "X[1, :]"}
+    assert whirl.signals.load(tmp_path / "odd.mat", names).statements() == other.statements()
+    with pytest.raises(whirl.BadInput, match="no variable 'key2'"):
+        whirl.signals.load(tmp_path / "odd.mat", {**names, "keyphasor": "key2"})
+    read = whirl.read_measured(tmp_path / "down.csv", {"x [um]": "de x", "key": "column 2"})
+    assert list(read) == ["x [um]", "key [V]"] and list(read["x [um]"]) == list(columns["de_x"])
 
 
 def universal(kind, heading, values, *, axis=(17, "s"), start=0.0, step=1.0, unit="um", first="NONE"):

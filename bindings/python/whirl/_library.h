@@ -87,6 +87,8 @@ whirl_status whirl_journal_remove(whirl_journal *journal);
 whirl_status whirl_result_read(const char *path, whirl_result **result);
 whirl_status whirl_result_read_outline(const char *path, whirl_result **outline);
 whirl_status whirl_result_read_record(const char *path, whirl_result **result);
+whirl_status whirl_result_read_record_columns(const char *path, const char *const *headings, const char *const *names,
+                                              size_t count, whirl_result **result);
 whirl_status whirl_columns_read(const char *path, const char *const *headings, const char *const *names, size_t count,
                                 whirl_columns **columns);
 size_t whirl_columns_count(const whirl_columns *columns);

@@ -58,9 +58,15 @@ class MemorySource:
         return cls._from(path, "the result", lib.whirl_result_read)
 
     @classmethod
-    def record(cls, path):
-        """Reads a measured record."""
-        return cls._from(path, "the record", lib.whirl_result_read_record)
+    def record(cls, path, columns=None):
+        """Reads a measured record; columns: headings, each with its name in the file."""
+        headings = [ffi.new("char[]", word_bytes(heading)) for heading in columns or ()]
+        names = [ffi.new("char[]", word_bytes(name)) for name in (columns or {}).values()]
+
+        def read(name, out):
+            return lib.whirl_result_read_record_columns(name, headings, names, len(names), out)
+
+        return cls._from(path, "the record", read)
 
     @classmethod
     def _from(cls, path, what, read):

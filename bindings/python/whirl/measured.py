@@ -31,8 +31,8 @@ def read_measured(
         Headings as in a table of a fit, each with what it is called in the file: a dataset or variable
         (``"run/x"``), a part of one with an index that runs (``"run/signals[:, 2]"``), a record of a universal file
         by its point and direction (``"disc x"``) or by its number, from 1, and parts of one (``"disc x/real"``,
-        ``"record 2/time"``). With a number the abscissa is a column, too. Without `columns` all vectors are columns
-        under their own names and units.
+        ``"record 2/time"``), or a heading of a table of comma-separated values (``"CH1"``, ``"column 3"``). With a
+        number the abscissa is a column, too. Without `columns` all vectors are columns under their own names and units.
 
     Returns
     -------

@@ -14,7 +14,7 @@ samples, channels and pulses are counted from 0.
 from __future__ import annotations
 
 import warnings
-from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Sequence
+from typing import TYPE_CHECKING, Any, Mapping, NamedTuple, Optional, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -278,11 +278,13 @@ def _size_of(points: np.ndarray, size: Optional[float]) -> float:
 # ---------------------------------------------------------------- records as results
 
 
-def load(path: "str | os.PathLike") -> "Result":
+def load(path: "str | os.PathLike", columns: Optional[Mapping[str, str]] = None) -> "Result":
     """Reads a record of a run-up or coast-down as a result, with the fields and figures of the study ``runup``.
 
     >>> record = whirl.signals.load("coast-down.csv")
     >>> whirl.open("model.h5").figure("runup-de", other=record)    # both in one figure
+    >>> names = {"time [s]": "t", "keyphasor": "key", "de x [um]": "X[:, 0]", "de y [um]": "X[:, 1]"}
+    >>> record = whirl.signals.load("coast-down.mat", names)
 
     Parameters
     ----------
@@ -290,11 +292,14 @@ def load(path: "str | os.PathLike") -> "Result":
         Comma-separated values, or an HDF5, MAT or universal file with such vectors, with the headings ``time [s]``,
         ``keyphasor`` or ``speed [rpm]``, and two probes for each station: ``de x [um]`` and ``de y
         [um]``, or with degrees from the x axis in the sense of rotation, ``de 45 [um]``.
+    columns : dict, optional
+        These headings, each with what it is called in the file, as for :func:`whirl.read_measured`; other columns of
+        the file are not used.
     """
     from ._memory import MemorySource
     from .result import Result
 
-    return Result(MemorySource.record(path))
+    return Result(MemorySource.record(path, columns))
 
 
 # ---------------------------------------------------------------- functions of arrays

@@ -1,6 +1,16 @@
 // Typed interface of the C core: handles, texts and numbers. explorer/core/core.h describes its functions.
 import createCore, { type CoreModule } from 'whirl-core-glue';
-import type { CaseInfo, Layout, Look, MeasuredTable, Options, StationInfo, Verdict } from './protocol';
+import type {
+  CaseInfo,
+  ChosenColumn,
+  Layout,
+  Look,
+  MeasuredColumn,
+  MeasuredTable,
+  Options,
+  StationInfo,
+  Verdict,
+} from './protocol';
 import type { Refusal } from './wire';
 
 /// Error of a request that the core rejected, with the core's message.
@@ -125,13 +135,29 @@ export class Core {
 
   // -------------------------------------------------------------- measured numbers
 
-  measured(object: number, name: string, bytes: Uint8Array): MeasuredTable {
+  measured(object: number, name: string, bytes: Uint8Array, columns: readonly ChosenColumn[]): MeasuredTable {
+    const lines = columns.map((column) => `${column.heading}\t${column.name}\n`).join('');
+    return this.withBytes(bytes, (at) =>
+      this.withTexts([name, lines], (nameAt, linesAt) =>
+        JSON.parse(this.text(this.module._explorer_measured(object, nameAt!, at, bytes.length, linesAt!))),
+      ),
+    ) as MeasuredTable;
+  }
+
+  measuredColumns(name: string, bytes: Uint8Array): readonly MeasuredColumn[] {
+    return this.withBytes(bytes, (at) =>
+      this.withTexts([name], (nameAt) =>
+        JSON.parse(this.text(this.module._explorer_measured_columns(nameAt!, at, bytes.length))),
+      ),
+    ) as MeasuredColumn[];
+  }
+
+  /// Runs `use` with the bytes of a file in the core's memory.
+  private withBytes<T>(bytes: Uint8Array, use: (at: number) => T): T {
     const at = this.allocate(Math.max(bytes.length, 1));
     try {
       this.module.HEAPU8.set(bytes, at);
-      return this.withTexts([name], (nameAt) =>
-        JSON.parse(this.text(this.module._explorer_measured(object, nameAt!, at, bytes.length))),
-      ) as MeasuredTable;
+      return use(at);
     } finally {
       this.free(at);
     }

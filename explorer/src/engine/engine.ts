@@ -2,11 +2,13 @@
 // page works from disk.
 import type {
   CaseInfo,
+  ChosenColumn,
   Edit,
   Engine,
   EngineParts,
   Layout,
   Manner,
+  MeasuredColumn,
   MeasuredSpectrumRequest,
   MeasuredTable,
   MotionResult,
@@ -238,8 +240,18 @@ class Pool implements Engine {
     if (this.runner && this.runner.pending.size > 0) this.dropRunner(STALE);
   }
 
-  measured(setting: Setting, name: string, bytes: Uint8Array, manner?: Manner): Promise<Outcome<MeasuredTable>> {
-    return this.ask({ kind: 'measured', setting, name, bytes }, manner);
+  measured(
+    setting: Setting,
+    name: string,
+    bytes: Uint8Array,
+    columns: readonly ChosenColumn[],
+    manner?: Manner,
+  ): Promise<Outcome<MeasuredTable>> {
+    return this.ask({ kind: 'measured', setting, name, bytes, columns }, manner);
+  }
+
+  measuredColumns(name: string, bytes: Uint8Array, manner?: Manner): Promise<Outcome<readonly MeasuredColumn[]>> {
+    return this.ask({ kind: 'measured-columns', name, bytes }, manner);
   }
 
   measuredSpectrum(request: MeasuredSpectrumRequest, manner?: Manner): Promise<Outcome<Float64Array>> {

@@ -15,7 +15,8 @@ declare module 'whirl-core-glue' {
     _explorer_case_text(object: number): number;
     _explorer_describe(object: number): number;
     _explorer_edit(source: number, length: number, path: number, value: number): number;
-    _explorer_measured(object: number, name: number, bytes: number, size: number): number;
+    _explorer_measured(object: number, name: number, bytes: number, size: number, columns: number): number;
+    _explorer_measured_columns(name: number, bytes: number, size: number): number;
     _explorer_measured_orders(): number;
     _explorer_measured_spectrum(turn: number, values: number, count: number, rows: number): number;
     _explorer_plan_new(object: number, batch: number, parameter: number): number;

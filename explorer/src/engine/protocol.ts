@@ -374,6 +374,22 @@ export type MeasuredNumber = readonly [
 /// Quantities of measured numbers, as in whirl_fit_quantity. A part with a lag has two numbers: cos, then sin.
 export const MEASURED = { sample: 0, cos: 1, sin: 2, amplitude: 3, waveform: 4 } as const;
 
+/// A column of a file, or of a matrix in it, that may be chosen.
+export interface MeasuredColumn {
+  /// Name in the file: "run/x", "signals[:, 2]", a heading.
+  readonly name: string;
+  /// "" if the file does not know it.
+  readonly unit: string;
+  /// Numbers in it.
+  readonly count: number;
+}
+
+/// A column that is read, under a heading as in tables of a fit: "time [s]", "keyphasor", "disc x [um]".
+export interface ChosenColumn {
+  readonly heading: string;
+  readonly name: string;
+}
+
 export interface MeasuredSpectrumRequest {
   /// Revolutions since a mark, growing.
   readonly turns: Float64Array;
@@ -417,8 +433,16 @@ export interface Engine {
   /// ends the earlier run, whose outcome is stale.
   run(request: RunRequest, part?: (so_far: RunResult) => void): Promise<Outcome<RunResult>>;
   endRun(): void;
-  /// Reads the bytes of a file of measured numbers for the machine of a case.
-  measured(setting: Setting, name: string, bytes: Uint8Array, manner?: Manner): Promise<Outcome<MeasuredTable>>;
+  /// Reads the bytes of a file of measured numbers for the machine of a case: chosen columns, or all if there are none.
+  measured(
+    setting: Setting,
+    name: string,
+    bytes: Uint8Array,
+    columns: readonly ChosenColumn[],
+    manner?: Manner,
+  ): Promise<Outcome<MeasuredTable>>;
+  /// Lists the columns of the bytes of a file.
+  measuredColumns(name: string, bytes: Uint8Array, manner?: Manner): Promise<Outcome<readonly MeasuredColumn[]>>;
   /// Computes the spectrum of a measured motion: rows of order, amplitudes of x, y, forward and backward whirl, in the
   /// unit of x and y. Below 4 revolutions rows are exact parts of the whole revolutions.
   measuredSpectrum(request: MeasuredSpectrumRequest, manner?: Manner): Promise<Outcome<Float64Array>>;

@@ -1,6 +1,7 @@
 // Tasks of a worker, as generators that yield whenever another task may run first.
 import { Refused, type Core } from './core';
 import type {
+  ChosenColumn,
   Edit,
   MeasuredSpectrumRequest,
   MotionResult,
@@ -56,7 +57,9 @@ export class Tasks {
       case 'run':
         return this.runUp(id, task.request);
       case 'measured':
-        return this.measured(task.setting, task.name, task.bytes);
+        return this.measured(task.setting, task.name, task.bytes, task.columns);
+      case 'measured-columns':
+        return this.measuredColumns(task.name, task.bytes);
       case 'measured-spectrum':
         return this.measuredSpectrum(task.request);
       case 'rewrite':
@@ -132,8 +135,12 @@ export class Tasks {
     return this.core.describe(this.open(setting));
   }
 
-  private *measured(setting: Setting, name: string, bytes: Uint8Array): Steps {
-    return this.core.measured(this.open(setting), name, bytes);
+  private *measured(setting: Setting, name: string, bytes: Uint8Array, columns: readonly ChosenColumn[]): Steps {
+    return this.core.measured(this.open(setting), name, bytes, columns);
+  }
+
+  private *measuredColumns(name: string, bytes: Uint8Array): Steps {
+    return this.core.measuredColumns(name, bytes);
   }
 
   private *measuredSpectrum({ turns, x, y }: MeasuredSpectrumRequest): Steps {

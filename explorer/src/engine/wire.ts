@@ -1,8 +1,10 @@
 // Messages between the engine and its workers.
 import type {
   CaseInfo,
+  ChosenColumn,
   Edit,
   Layout,
+  MeasuredColumn,
   MeasuredSpectrumRequest,
   MeasuredTable,
   MotionResult,
@@ -37,7 +39,14 @@ export type Task =
   | { readonly kind: 'part'; readonly request: PartRequest }
   | { readonly kind: 'transient'; readonly request: TransientRequest }
   | { readonly kind: 'run'; readonly request: RunRequest }
-  | { readonly kind: 'measured'; readonly setting: Setting; readonly name: string; readonly bytes: Uint8Array }
+  | {
+      readonly kind: 'measured';
+      readonly setting: Setting;
+      readonly name: string;
+      readonly bytes: Uint8Array;
+      readonly columns: readonly ChosenColumn[];
+    }
+  | { readonly kind: 'measured-columns'; readonly name: string; readonly bytes: Uint8Array }
   | { readonly kind: 'measured-spectrum'; readonly request: MeasuredSpectrumRequest }
   | { readonly kind: 'rewrite'; readonly setting: Setting; readonly edits: readonly Edit[] };
 
@@ -66,7 +75,16 @@ export interface Refusal {
 
 /// Result of a task.
 export type Answer =
-  CaseInfo | MeasuredTable | MotionResult | PointResult | RunResult | TransientResult | Float64Array | string | null;
+  | CaseInfo
+  | MeasuredTable
+  | readonly MeasuredColumn[]
+  | MotionResult
+  | PointResult
+  | RunResult
+  | TransientResult
+  | Float64Array
+  | string
+  | null;
 
 export type FromWorker =
   | { readonly kind: 'done'; readonly id: number; readonly value: Answer }

@@ -1,7 +1,7 @@
 // Measured data that the user has laid over a machine.
 import { MeasuredData, type MeasuredMotion } from '../data/measured';
 import type { Spectrum } from '../data/motion';
-import type { Engine, Setting } from '../engine/protocol';
+import type { ChosenColumn, Engine, MeasuredColumn, Setting } from '../engine/protocol';
 
 /// Largest file in bytes.
 const MAX_BYTES = 1 << 24;
@@ -18,13 +18,24 @@ export interface NamedFile {
   arrayBuffer(): Promise<ArrayBuffer>;
 }
 
+/// A file whose columns the user chooses.
+export interface AskedFile {
+  readonly name: string;
+  readonly bytes: Uint8Array;
+  readonly columns: readonly MeasuredColumn[];
+}
+
 export class Measured {
+  /// Bytes of the files that were read, by the name of the machine and of the file.
+  private readonly files = new Map<string, Uint8Array>();
   private readonly all = new Map<string, MeasuredData[]>();
   private readonly spectra = new Map<string, Float64Array | undefined>();
   private readonly ids = new WeakMap<MeasuredData, number>();
   private next = 0;
   /// Reasons why files were refused, a sentence each.
   troubles: readonly string[] = [];
+  /// Files whose columns are to be chosen before they are shown.
+  asked: readonly AskedFile[] = [];
 
   constructor(
     private engine: Engine | undefined,
@@ -50,32 +61,85 @@ export class Measured {
     const read: MeasuredData[] = [];
     const troubles: string[] = [];
     for (const file of files) {
-      const outcome = await this.read(setting, file);
+      const bytes = await bytesOf(file);
+      const outcome = typeof bytes === 'string' ? bytes : await this.read(machine, setting, file.name, bytes, []);
       if (typeof outcome === 'string') troubles.push(outcome);
       else if (outcome) read.push(outcome);
+      // Headings that are not understood are chosen by the user.
+      if (typeof outcome === 'string' && typeof bytes !== 'string') await this.list(file.name, bytes);
     }
-    const names = read.map(({ name }) => name);
-    this.all.set(machine, [...this.of(machine).filter(({ name }) => !names.includes(name)), ...read]);
+    this.lay(machine, read);
     this.troubles = troubles;
     this.listener.changed();
     return read;
   }
 
-  private async read(setting: Setting, file: NamedFile): Promise<MeasuredData | string | undefined> {
-    if (file.size > MAX_BYTES)
-      return `${file.name} has ${Math.ceil(file.size / (1 << 20))} MiB, expected a file of at most 16 MiB`;
-    let bytes: Uint8Array;
-    try {
-      bytes = new Uint8Array(await file.arrayBuffer());
-    } catch (error) {
-      return `${file.name} cannot be read: ${error instanceof Error ? error.message : String(error)}`;
+  /// Reads a file whose columns the user has chosen. Returns the data that were read.
+  async choose(
+    machine: string,
+    setting: Setting,
+    name: string,
+    columns: readonly ChosenColumn[],
+  ): Promise<readonly MeasuredData[]> {
+    const file = this.asked.find((each) => each.name === name);
+    if (!file) return NONE;
+    const outcome = await this.read(machine, setting, name, file.bytes, columns);
+    const read = outcome instanceof MeasuredData ? [outcome] : NONE;
+    if (outcome instanceof MeasuredData) this.asked = this.asked.filter((each) => each !== file);
+    this.lay(machine, read);
+    this.troubles = typeof outcome === 'string' ? [outcome] : [];
+    this.listener.changed();
+    return read;
+  }
+
+  /// Lets the user choose the columns of a file that was read.
+  async ask(machine: string, name: string): Promise<void> {
+    const bytes = this.files.get(keyOf(machine, name));
+    if (bytes) await this.list(name, bytes);
+    this.listener.changed();
+  }
+
+  /// True for a file whose columns can be chosen.
+  hasColumns(machine: string, name: string): boolean {
+    return this.files.has(keyOf(machine, name));
+  }
+
+  /// Ends the choice of the columns of a file.
+  dismiss(name: string): void {
+    this.asked = this.asked.filter((each) => each.name !== name);
+    this.listener.changed();
+  }
+
+  /// Adds a file to those whose columns are chosen, unless it has less than two.
+  private async list(name: string, bytes: Uint8Array): Promise<void> {
+    const outcome = await this.engine?.measuredColumns(name, bytes, { priority: 0 });
+    if (!outcome?.ok || outcome.value.length < 2) return;
+    this.asked = [...this.asked.filter((each) => each.name !== name), { name, bytes, columns: outcome.value }];
+  }
+
+  /// Lays data over a machine, in place of those of the same name.
+  private lay(machine: string, read: readonly MeasuredData[]): void {
+    const names = read.map(({ name }) => name);
+    this.all.set(machine, [...this.of(machine).filter(({ name }) => !names.includes(name)), ...read]);
+  }
+
+  private async read(
+    machine: string,
+    setting: Setting,
+    name: string,
+    bytes: Uint8Array,
+    columns: readonly ChosenColumn[],
+  ): Promise<MeasuredData | string | undefined> {
+    const outcome = await this.engine?.measured(setting, name, bytes, columns, { priority: 0 });
+    if (outcome?.ok) {
+      this.files.set(keyOf(machine, name), bytes);
+      return new MeasuredData(name, outcome.value);
     }
-    const outcome = await this.engine?.measured(setting, file.name, bytes, { priority: 0 });
-    if (outcome?.ok) return new MeasuredData(file.name, outcome.value);
     return outcome && outcome.why !== 'stale' ? outcome.message : undefined;
   }
 
   remove(machine: string, name: string): void {
+    this.files.delete(keyOf(machine, name));
     this.all.set(
       machine,
       this.of(machine).filter((data) => data.name !== name),
@@ -137,6 +201,19 @@ export class Measured {
       this.listener.changed();
     });
     return undefined;
+  }
+}
+
+const keyOf = (machine: string, name: string) => JSON.stringify([machine, name]);
+
+/// Returns the bytes of a file, or a sentence.
+async function bytesOf(file: NamedFile): Promise<Uint8Array | string> {
+  if (file.size > MAX_BYTES)
+    return `${file.name} has ${Math.ceil(file.size / (1 << 20))} MiB, expected a file of at most 16 MiB`;
+  try {
+    return new Uint8Array(await file.arrayBuffer());
+  } catch (error) {
+    return `${file.name} cannot be read: ${error instanceof Error ? error.message : String(error)}`;
   }
 }
 

@@ -11,7 +11,15 @@ import { MapPlanes, type ParameterMap } from '../data/parameter_map';
 import { AtRest } from '../data/rest';
 import type { Run, StoredTable } from '../data/run';
 import { RunUp } from '../data/runup';
-import type { CaseInfo, Engine, OrbitRequest, Setting, StationInfo, SweepProgress } from '../engine/protocol';
+import type {
+  CaseInfo,
+  ChosenColumn,
+  Engine,
+  OrbitRequest,
+  Setting,
+  StationInfo,
+  SweepProgress,
+} from '../engine/protocol';
 import { introOfPart, machinesOf, scalesOf, type Machine } from './machine';
 import { Measured, type NamedFile } from './measured';
 import { RunModel } from './run_model';
@@ -448,6 +456,14 @@ export class Session {
     const read = await this.measured.add(machine.name, { text: this.text, name: machine.caseName }, files);
     if (read.length === 0 || machine !== this.machine) return;
     this.showMeasured(read);
+  }
+
+  /// Reads a file whose columns the user has chosen, and shows it likewise.
+  async chooseMeasured(name: string, columns: readonly ChosenColumn[]): Promise<void> {
+    const { machine } = this;
+    const setting = { text: this.text, name: machine.caseName };
+    const read = await this.measured.choose(machine.name, setting, name, columns);
+    if (read.length > 0 && machine === this.machine) this.showMeasured(read);
   }
 
   /// Lays the measured numbers of fits over the machine, and shows them where the visible fit is: at a station that was

@@ -2,13 +2,15 @@
 import type { MeasuredData } from '../data/measured';
 import { button, el } from '../dom';
 import type { NamedFile } from '../model/measured';
+import { ColumnChooser, type ChooserListener } from './column_chooser';
 import { VECTORS, type Session } from '../model/session';
 import { parameterMeasure, shownWhole } from '../model/units';
 
-export interface MeasuredListener {
+export interface MeasuredListener extends ChooserListener {
   files(files: readonly NamedFile[]): void;
   removed(name: string): void;
   forgiven(): void;
+  asked(name: string): void;
 }
 
 export class MeasuredBar {
@@ -16,6 +18,7 @@ export class MeasuredBar {
   private readonly list = el('ul', { 'aria-label': 'Measured data' });
   private readonly trouble = el('p', { class: 'trouble', role: 'alert' });
   private readonly troubles: HTMLElement;
+  private readonly chooser: ColumnChooser;
   private readonly input = el('input', {
     type: 'file',
     accept: '.csv,.txt,.tsv,.h5,.hdf5,.mat,.uff,.unv,text/csv',
@@ -25,6 +28,7 @@ export class MeasuredBar {
   private text = '';
 
   constructor(private readonly listener: MeasuredListener) {
+    this.chooser = new ColumnChooser(listener);
     this.troubles = el(
       'div',
       { class: 'troubles' },
@@ -41,6 +45,7 @@ export class MeasuredBar {
       { class: 'measured', 'aria-label': 'Measured data' },
       this.list,
       this.troubles,
+      this.chooser.root,
       this.input,
     );
   }
@@ -52,22 +57,35 @@ export class MeasuredBar {
 
   show(session: Session): void {
     const { measured, measuredData: data, measurable } = session;
-    const shown = measurable || measured.troubles.length > 0;
-    this.root.hidden = !shown || (data.length === 0 && measured.troubles.length === 0);
+    const more = measured.troubles.length > 0 || measured.asked.length > 0;
+    this.root.hidden = !more && !(measurable && data.length > 0);
+    this.chooser.show(
+      measured.asked,
+      session.stations.map(({ name }) => name),
+    );
     this.troubles.hidden = measured.troubles.length === 0;
     this.trouble.textContent = measured.troubles.join('\n');
     // Rebuild only after a change, so that the focus stays.
-    const rows = data.map((each) => [each.name, textOf(session, each), whereOf(session, each)] as const);
+    const rows = data.map(
+      (each) =>
+        [
+          each.name,
+          textOf(session, each),
+          whereOf(session, each),
+          measured.hasColumns(session.machine.name, each.name),
+        ] as const,
+    );
     const text = JSON.stringify(rows);
     if (text === this.text) return;
     this.text = text;
     this.list.replaceChildren(
-      ...rows.map(([name, what, where]) =>
+      ...rows.map(([name, what, where, columns]) =>
         el(
           'li',
           {},
           el('span', { class: 'key key-measured' }, el('strong', {}, name), `: ${what}`),
           el('span', { class: 'unseen-data' }, where),
+          ...(columns ? [button('columns', `Choose the columns of ${name}`, () => this.listener.asked(name))] : []),
           button('\u00d7', `Remove ${name}`, () => this.listener.removed(name), { class: 'icon' }),
         ),
       ),

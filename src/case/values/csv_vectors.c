@@ -155,9 +155,8 @@ whirl_status csv_add_vector(csv_table *table, const char *heading, const char *u
     return whirl_ok();
 }
 
-/// Refuses a heading and an attribute with different units.
-static whirl_status vector_check_unit(const csv_table *table, const char *unit) {
-    const csv_column *own = &table->columns[table->column_count - 1];
+whirl_status csv_check_unit(const csv_table *table, size_t column, const char *unit) {
+    const csv_column *own = &table->columns[column];
     char text[ARRAYS_TEXT + 4];
     double size = 0.0;
     if (!*unit || strcmp(unit, own->unit) == 0) return whirl_ok();
@@ -245,7 +244,7 @@ static whirl_status vector_read(arrays_file *file, const csv_chosen *chosen, siz
         const char *unit = status.code == WHIRL_OK && strcmp(part.item.unit, "1") != 0 ? part.item.unit : "";
         if (status.code == WHIRL_OK)
             status = vector_add_column(out, count > 0 ? chosen[i].heading : dataset, unit, dataset, most_columns);
-        if (status.code == WHIRL_OK) status = vector_check_unit(out, unit);
+        if (status.code == WHIRL_OK) status = csv_check_unit(out, out->column_count - 1, unit);
         if (status.code == WHIRL_OK) status = vector_take(file, out, &part);
     }
     free(all.found);
@@ -261,9 +260,74 @@ whirl_status csv_load_vectors(const char *path, const csv_chosen *chosen, size_t
     return status.code == WHIRL_OK ? vector_read(file, chosen, count, most_columns, out) : status;
 }
 
-whirl_status csv_read_vectors(const char *path, const void *bytes, size_t size, size_t most_columns, csv_table *out) {
+whirl_status csv_read_vectors(const char *path, const void *bytes, size_t size, const csv_chosen *chosen, size_t count,
+                              size_t most_columns, csv_table *out) {
     arrays_file *file;
     *out = (csv_table){.path = path, .vectors = true};
     const whirl_status status = arrays_open_bytes(bytes, size, path, &file);
-    return status.code == WHIRL_OK ? vector_read(file, NULL, 0, most_columns, out) : status;
+    return status.code == WHIRL_OK ? vector_read(file, chosen, count, most_columns, out) : status;
+}
+
+// ---------------------------------------------------------------- lists
+
+/// Columns of a file that are found.
+typedef struct vector_list {
+    csv_listed *items;
+    size_t count, capacity;
+} vector_list;
+
+/// Adds a column. Names that are too long cannot be chosen and are left out.
+static whirl_status vector_list_add(vector_list *of, const char *name, const char *indices, const char *unit,
+                                    size_t count) {
+    if (strlen(name) + strlen(indices) >= CSV_TEXT) return whirl_ok();
+    if (of->count == of->capacity) {
+        const size_t capacity = of->capacity ? 2 * of->capacity : 64;
+        csv_listed *items = realloc(of->items, capacity * sizeof *items);
+        if (!items) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the columns of a file");
+        of->items = items;
+        of->capacity = capacity;
+    }
+    csv_listed *own = &of->items[of->count++];
+    *own = (csv_listed){.count = count};
+    snprintf(own->name, sizeof own->name, "%s%s", name, indices);
+    snprintf(own->unit, sizeof own->unit, "%.*s", CSV_TEXT - 1, strcmp(unit, "1") != 0 ? unit : "");
+    return whirl_ok();
+}
+
+/// Lists a dataset: a vector, or the rows or columns of a matrix, whichever are fewer.
+static whirl_status vector_list_note(void *context, const char *name, const arrays_item *item) {
+    enum { MAX_PARTS = 64 };
+    vector_list *of = context;
+    vector_part part = {.item = *item};
+    if (!item->numbers) return whirl_ok();
+    if (vector_of_all(&part))
+        return part.length < 2 ? whirl_ok() : vector_list_add(of, name, "", item->unit, part.length);
+    if (item->rank != 2) return whirl_ok();
+    const bool rows = item->sizes[0] < item->sizes[1];
+    const size_t parts = item->sizes[rows ? 0 : 1], length = item->sizes[rows ? 1 : 0];
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < parts && parts <= MAX_PARTS && status.code == WHIRL_OK; i++) {
+        char indices[40];
+        snprintf(indices, sizeof indices, rows ? "[%zu, :]" : "[:, %zu]", i);
+        status = vector_list_add(of, name, indices, item->unit, length);
+    }
+    return status;
+}
+
+whirl_status csv_list_vectors(const char *path, const void *bytes, size_t size, csv_listed **out, size_t *count) {
+    arrays_file *file;
+    vector_list of = {.count = 0};
+    *out = NULL;
+    *count = 0;
+    whirl_status status = arrays_open_bytes(bytes, size, path, &file);
+    if (status.code != WHIRL_OK) return status;
+    status = arrays_visit(file, vector_list_note, &of);
+    arrays_close(file);
+    if (status.code != WHIRL_OK) {
+        free(of.items);
+        return status;
+    }
+    *out = of.items;
+    *count = of.count;
+    return status;
 }

@@ -20,7 +20,7 @@ static int close_case(void **state) {
 
 /// Reads a table for good_case.
 static whirl_status read_table(const char *text, whirl_measured_table **out) {
-    return whirl_measured_read(object, "m.csv", text, strlen(text), out);
+    return whirl_measured_read(object, "m.csv", text, strlen(text), NULL, 0, out);
 }
 
 static void expect_number(const whirl_measured_table *measured, size_t index, whirl_fit_quantity quantity, double at,
@@ -84,26 +84,61 @@ static void bytes_of_other_files_are_tables(void **state) {
                                "  1.00000e+00  2.00000e+00  4.00000e+00\n    -1\n";
     whirl_measured_table *measured;
     (void)state;
-    assert_int_equal(whirl_measured_read(object, "m.uff", file, sizeof file - 1, &measured).code, WHIRL_OK);
+    assert_int_equal(whirl_measured_read(object, "m.uff", file, sizeof file - 1, NULL, 0, &measured).code, WHIRL_OK);
     assert_int_equal(measured->fit.number_count, 3);
     expect_number(measured, 0, WHIRL_FIT_WAVEFORM, 0.0, 1e-6);
     expect_number(measured, 2, WHIRL_FIT_WAVEFORM, 0.5, 4e-6);
     whirl_measured_free(measured);
     // It is known by its bytes, whatever its name is.
-    assert_int_equal(whirl_measured_read(object, "m.txt", file, sizeof file - 1, &measured).code, WHIRL_OK);
+    assert_int_equal(whirl_measured_read(object, "m.txt", file, sizeof file - 1, NULL, 0, &measured).code, WHIRL_OK);
     whirl_measured_free(measured);
-    whirl_status status = whirl_measured_read(object, "m.uff", file, sizeof file - 20, &measured);
+    whirl_status status = whirl_measured_read(object, "m.uff", file, sizeof file - 20, NULL, 0, &measured);
     assert_int_equal(status.code, WHIRL_BAD_INPUT);
     assert_string_equal(status.message, "m.uff: dataset 58 number 1, line 13: is cut off");
     static const char *const names[] = {"m.h5", "m.HDF5", "m.mat", "m.uff", "m.unv"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         char expected[80];
         snprintf(expected, sizeof expected, "%s: is no HDF5, MAT or universal file", names[i]);
-        status = whirl_measured_read(object, names[i], "0", i % 2, &measured);
+        status = whirl_measured_read(object, names[i], "0", i % 2, NULL, 0, &measured);
         assert_int_equal(status.code, WHIRL_BAD_INPUT);
         assert_string_equal(status.message, expected);
         assert_null(measured);
     }
+}
+
+/// Columns are chosen from a file by their names; a column of pulses says when the mark is at the x axis.
+static void columns_are_chosen(void **state) {
+    static const csv_chosen chosen[] = {{"time [ms]", "t"}, {"disc x [um]", "CH1"}, {"keyphasor", "column 2"}};
+    static const csv_chosen wrong[] = {{"time [s]", "t"}, {"disc x [um]", "CH2"}};
+    char text[8192] = "t,mark [V],CH1,of no use\n";
+    whirl_measured_table *measured;
+    csv_listed *columns;
+    size_t count;
+    (void)state;
+    // A pulse rises through half of its height at 12.5 ms, and every 20 ms from then on.
+    for (int i = 0; i < 200; i++) {
+        const size_t used = strlen(text);
+        snprintf(text + used, sizeof text - used, "%d,%d,%d,7\n", i, i % 20 >= 13 && i % 20 < 16, i);
+    }
+    assert_int_equal(whirl_measured_read(object, "m.csv", text, strlen(text), chosen, 3, &measured).code, WHIRL_OK);
+    assert_int_equal(measured->fit.number_count, 200);
+    expect_number(measured, 0, WHIRL_FIT_WAVEFORM, -12.5e-3, 0.0);
+    expect_number(measured, 100, WHIRL_FIT_WAVEFORM, 87.5e-3, 100e-6);
+    assert_true(fabs(measured->fit.motions[0].speed - 314.15926535897932) < 1e-9);
+    whirl_measured_free(measured);
+    const whirl_status status = whirl_measured_read(object, "m.csv", text, strlen(text), wrong, 2, &measured);
+    assert_int_equal(status.code, WHIRL_BAD_INPUT);
+    assert_string_equal(status.message,
+                        "m.csv: there is no column 'CH2', expected one of 't', 'mark', 'CH1', 'of no use'");
+    // The columns of a file are listed.
+    assert_int_equal(csv_list("m.csv", text, strlen(text), &columns, &count).code, WHIRL_OK);
+    assert_int_equal(count, 4);
+    assert_string_equal(columns[1].name, "mark");
+    assert_string_equal(columns[1].unit, "V");
+    assert_int_equal(columns[3].count, 200);
+    free(columns);
+    assert_int_equal(csv_list("m.mat", text, strlen(text), &columns, &count).code, WHIRL_BAD_INPUT);
+    assert_null(columns);
 }
 
 /// A refusal has one sentence with the file, the line, the column, what was found and what is expected.
@@ -128,6 +163,7 @@ static void refusals_have_their_place(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(columns_are_chosen),
         cmocka_unit_test(instants_are_those_of_the_table),
         cmocka_unit_test(vectors_have_the_place_of_their_row),
         cmocka_unit_test(bytes_of_other_files_are_tables),

@@ -48,19 +48,50 @@ whirl_status csv_read(const char *path, const char *text, size_t length, size_t 
 /// their datasets, and the unit of their attribute `unit` or `units`.
 whirl_status csv_load(const char *path, size_t most_columns, csv_table *out);
 
-/// A column that is chosen from an HDF5 file.
+/// Returns true for a name that ends as those of HDF5, MAT and universal files do, in letters of any size.
+bool csv_is_measured(const char *name);
+
+/// A column that is chosen from a file.
 typedef struct csv_chosen {
-    const char *heading; ///< "disc x [um]"; without a unit it is that of the dataset
-    const char *dataset; ///< "run/x", or with indices, one of which is ':', "run/signals[:, 2]"
+    const char *heading; ///< "disc x [um]"; without a unit it is that of the file
+    const char *dataset; ///< "run/x", or with indices, one of which is ':', "run/signals[:, 2]"; in text files a
+                         ///< heading, with or without its unit, or "column 3", its number from 1
 } csv_chosen;
+
+/// Reads chosen columns of a file of either kind; all columns if `count` is 0. Errors as those of csv_load, and
+/// WHIRL_BAD_INPUT for columns that the file does not have. Freed by csv_free, after a failure, too.
+whirl_status csv_load_chosen(const char *path, const csv_chosen *chosen, size_t count, size_t most_columns,
+                             csv_table *out);
+
+/// Does the same with the bytes of a file.
+whirl_status csv_read_chosen(const char *path, const void *bytes, size_t size, const csv_chosen *chosen, size_t count,
+                             size_t most_columns, csv_table *out);
+
+/// A column of a file that may be chosen.
+typedef struct csv_listed {
+    char name[CSV_TEXT]; ///< as csv_chosen.dataset
+    char unit[CSV_TEXT]; ///< "" if it is not known
+    size_t count;        ///< numbers in it
+} csv_listed;
+
+/// Lists the columns of the bytes of a file, with those of matrices one by one where there are at most 64. *out
+/// [*count] is freed by the caller. Errors as those of csv_read_chosen.
+whirl_status csv_list(const char *path, const void *bytes, size_t size, csv_listed **out, size_t *count);
 
 /// Reads vectors of an HDF5 file as a table; `count` chosen ones, or if it is 0 all vectors. WHIRL_BAD_INPUT with a
 /// sentence, WHIRL_IO_ERROR, WHIRL_NO_MEMORY. Freed by csv_free, after a failure, too.
 whirl_status csv_load_vectors(const char *path, const csv_chosen *chosen, size_t count, size_t most_columns,
                               csv_table *out);
 
-/// Does the same with the bytes of such a file, and all its vectors.
-whirl_status csv_read_vectors(const char *path, const void *bytes, size_t size, size_t most_columns, csv_table *out);
+/// Does the same with the bytes of such a file.
+whirl_status csv_read_vectors(const char *path, const void *bytes, size_t size, const csv_chosen *chosen, size_t count,
+                              size_t most_columns, csv_table *out);
+
+/// Lists the columns of the bytes of such a file, as csv_list.
+whirl_status csv_list_vectors(const char *path, const void *bytes, size_t size, csv_listed **out, size_t *count);
+
+/// Refuses a column whose heading has another unit than the file, `unit`; "": it is not known.
+whirl_status csv_check_unit(const csv_table *table, size_t column, const char *unit);
 
 /// Adds a column of `count` numbers, which are copied, to a table of vectors. All columns have as many.
 whirl_status csv_add_vector(csv_table *table, const char *heading, const char *unit, const char *source,
