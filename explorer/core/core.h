@@ -44,8 +44,8 @@ const char *explorer_edit(const char *source, size_t length, const char *path, c
 // ---------------------------------------------------------------- measured numbers
 
 /// Reads the bytes of a file of measured numbers for the machine of a case, as `study: fit` reads files; `name` is the
-/// file's in messages. columns: a line for each column that is read, its heading, a tab, and its name in the file; "" for
-/// all. Returns the MeasuredTable of protocol.ts as JSON. NULL after a failure.
+/// file's in messages. columns: a line for each column that is read, its heading, a tab, and its name in the file; ""
+/// for all. Returns the MeasuredTable of protocol.ts as JSON. NULL after a failure.
 const char *explorer_measured(const whirl_case *object, const char *name, const void *bytes, size_t size,
                               const char *columns);
 

@@ -104,6 +104,12 @@ def test_raw_signals_of_a_run_up_are_tracked_and_fitted():
     assert whirl.fit(FAN, data, UNKNOWN, noise="2 um", runup=RUN)["k"].value == pytest.approx(TRUTH["k"], rel=1e-4)
     with pytest.raises(whirl.BadInput, match="expected 'speed' or 'time'"):
         tracked.columns(over="angle")
+    # The displacements themselves, of a record that begins 0.2 s before the run.
+    raw = {"time [s]": 0.2 + time[::40], "disc x [m]": x[::40], "disc y [m]": y[::40]}
+    found = whirl.fit(FAN, raw, UNKNOWN, noise="2 um", runup=RUN, compare="waveform", delay=0.2)
+    for name, value in TRUTH.items():
+        assert found[name].value == pytest.approx(value, rel=1e-7)
+    assert any("1800 displacements of 1 run are compared" in str(one) for one in found.result.statements())
 
 
 def test_rows_that_a_run_does_not_have_are_refused():
@@ -116,6 +122,6 @@ def test_rows_that_a_run_does_not_have_are_refused():
     angles = {"angle [deg]": [0.0, 90.0], "disc x [um]": [1.0, 2.0]}
     with pytest.raises(whirl.BadInput, match="is no column of a run, expected speed or time"):
         whirl.fit(FAN, angles, ["k"], runup=RUN)
-    # A row beyond the end is found when the run is made.
     late = table(x, y, time=np.linspace(1, 9, len(x)))
-    assert whirl.fit(FAN, late, UNKNOWN, runup=RUN).end == "no motion"
+    with pytest.raises(whirl.BadInput, match="is outside of its run, which lasts from 0 to 3.666666667 s"):
+        whirl.fit(FAN, late, UNKNOWN, runup=RUN)

@@ -104,7 +104,7 @@ export class ColumnChooser {
     const form = el(
       'form',
       { class: 'chooser', 'aria-label': `Columns of ${name}` },
-      el('p', {}, el('strong', {}, name), ': choose what its columns are'),
+      el('p', {}, el('span', {}, el('strong', {}, name), ': choose what its columns are')),
       el(
         'div',
         { class: 'chooser-rows' },

@@ -6,6 +6,7 @@
 
 #include "csv_part.h"
 #include "input.h"
+#include "whirl/engine/case.h"
 #include "whirl/internal/arrays.h"
 #include "whirl/internal/csv.h"
 
@@ -31,8 +32,10 @@ static size_t csv_find(const csv_table *table, const char *text) {
     char whole[2 * CSV_TEXT + 4];
     for (size_t c = 0; c < table->column_count; c++) {
         const csv_column *own = &table->columns[c];
-        snprintf(whole, sizeof whole, *own->unit ? "%s [%s]" : "%s", own->name, own->unit);
+        snprintf(whole, sizeof whole, "%s [%s]", own->name, own->unit);
         if (strcmp(own->name, text) == 0 || strcmp(whole, text) == 0) return c;
+        snprintf(whole, sizeof whole, "%s (%s)", own->name, own->unit);
+        if (strcmp(whole, text) == 0) return c;
     }
     if (strncmp(text, numbered, sizeof numbered - 1) != 0) return table->column_count;
     char *end;
@@ -50,6 +53,14 @@ static whirl_status csv_fail_unknown(const csv_table *table, const char *text) {
     }
     return whirl_fail(WHIRL_BAD_INPUT, "%.150s: there is no column '%.60s', expected one of %.300s%s", table->path,
                       text, names, table->column_count > SHOWN ? ", ..." : "");
+}
+
+/// Returns true for the name of a unit; brackets of headings may have other remarks, "CH1 (raw)".
+static bool csv_is_unit(const char *unit) {
+    char text[CSV_TEXT + 4];
+    double size = 0.0;
+    snprintf(text, sizeof text, "1 %s", unit);
+    return *unit && whirl_quantity_value(text, unit, &size).code == WHIRL_OK;
 }
 
 /// Replaces the columns of a table by chosen ones.
@@ -71,9 +82,9 @@ static whirl_status csv_choose(csv_table *table, const csv_chosen *chosen, size_
         columns[i].unit[0] = '\0';
         csv_part(&columns[i], text);
         table->columns = columns;
-        if (*columns[i].unit)
+        if (*columns[i].unit && csv_is_unit(all.columns[from].unit))
             status = csv_check_unit(table, i, all.columns[from].unit);
-        else
+        else if (!*columns[i].unit)
             memcpy(columns[i].unit, all.columns[from].unit, sizeof columns[i].unit);
         table->columns = all.columns;
         memcpy(numbers + i * all.count, csv_numbers(&all, from), all.count * sizeof *numbers);
@@ -107,7 +118,8 @@ whirl_status csv_load_chosen(const char *path, const csv_chosen *chosen, size_t 
     size_t length = 0;
     input_file in;
     *out = (csv_table){.path = path};
-    if (arrays_is_file(path)) return csv_load_vectors(path, chosen, count, most_columns, out);
+    if (arrays_is_file(path) || (count > 0 && csv_is_measured(path)))
+        return csv_load_vectors(path, chosen, count, most_columns, out);
     if (!input_read(path, CSV_MAX_BYTES, &in, &text, &length))
         return whirl_fail(in.no_memory ? WHIRL_NO_MEMORY : WHIRL_BAD_INPUT, "cannot read %.200s: %.128s", path,
                           in.reason);
