@@ -96,6 +96,7 @@ whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_
         .at_rest = is_at_rest(set),
         .twists = system->twist != NULL,
         .axial = system->axial != NULL,
+        .also_twists = system->extra_count > 0 && system->extras[system->extra_count - 1].twists,
         .torque_count = system->torque_count,
         .run_shaft_count = system->shaft_count,
         .excitation_count = system->torsion ? system->torsion->excitation_count : 0,
@@ -139,6 +140,7 @@ whirl_status whirl_layout_known(whirl_layout *layout) {
     const whirl_runout runout = {.order = 1};
     const whirl_probe probes[2] = {
         {.runout_count = 1, .runout = &runout}}; // two stations: a row for each must differ from a single row
+    const whirl_extra twist = {.twists = true};
     const whirl_torsion torsion = {.excitation_count = 2, .path_count = 2};
     const whirl_system system = {.dimension = 2,
                                  .probe_count = 2,
@@ -148,6 +150,8 @@ whirl_status whirl_layout_known(whirl_layout *layout) {
                                  .range = two_ranges,
                                  .twist = no_twist,
                                  .axial = no_twist,
+                                 .extra_count = 1,
+                                 .extras = &twist,
                                  .torque_count = 2,
                                  .shaft_count = 2,
                                  .torsion = &torsion};
@@ -164,7 +168,8 @@ bool whirl_analysis_has_rows(const char *field) {
     for (size_t a = 0; analysis_plans[a]; a++)
         for (size_t f = 0; f < analysis_plans[a]->field_count; f++)
             if (strcmp(analysis_plans[a]->fields[f].name, field) == 0)
-                return analysis_plans[a]->fields[f].rows && analysis_plans[a]->fields[f].rows != rows_of_axial;
+                return analysis_plans[a]->fields[f].rows && analysis_plans[a]->fields[f].rows != rows_of_axial &&
+                       analysis_plans[a]->fields[f].rows != rows_of_twist;
     return false;
 }
 

@@ -27,6 +27,8 @@ static block_shape shape_of(const whirl_layout *layout, const whirl_record_optio
     shape.touch_count = touches ? touches->rows : 0;
     shape.axial =
         whirl_layout_field(layout, WHIRL_FIELD_TRACE_AXIAL) || whirl_layout_field(layout, WHIRL_FIELD_TORUS_AXIAL);
+    shape.also_twists =
+        whirl_layout_field(layout, WHIRL_FIELD_TRACE_TWIST) || whirl_layout_field(layout, WHIRL_FIELD_TORUS_TWIST);
     return shape;
 }
 

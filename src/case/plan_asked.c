@@ -86,7 +86,9 @@ void asked_check(case_reader *reader, asked_parts *asked, const whirl_batch *bat
         asked->found[i] = true;
         if (!lacks && derived && whirl_analysis_kind(batch->analyses)->moves && !whirl_motion_is_derived(of->field))
             lacks = "asks for a field of motions without derivatives, expected orbit/max_radius, orbit/min_radius, "
-                    "orbit/mean, spectrum/synchronous, spectrum/synchronous_lag or floquet/modulus";
+                    "orbit/mean, orbit/axial, orbit/twist, spectrum/synchronous, spectrum/synchronous_lag, "
+                    "spectrum/axial_synchronous, spectrum/axial_lag, spectrum/twist_synchronous, "
+                    "spectrum/twist_lag or floquet/modulus";
         if (!lacks && derived && whirl_analysis_kind(batch->analyses)->found &&
             strcmp(of->field, WHIRL_FIELD_TRACE_SPECIAL) != 0)
             lacks = "asks for a field of branches without derivatives, expected trace/special";

@@ -20,7 +20,8 @@
 static const char *const laws[] = {"rate_law", "torque_law", "load_law", "ground_x", "ground_y"};
 
 /// Variables of every station, after its name and '_', in the order of WHIRL_OF_STATION_.
-static const char *const of_station[WHIRL_OF_STATION] = {"x", "y", "radius", "vx", "vy", "speed"};
+static const char *const of_station[WHIRL_OF_STATION] = {"x",     "y",     "radius",         "vx",   "vy",
+                                                         "speed", "axial", "axial_velocity", "twist"};
 
 // ---------------------------------------------------------------- formulas
 

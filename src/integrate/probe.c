@@ -27,7 +27,7 @@ double whirl_probe_runout(const whirl_probe *probe, size_t which, double revolut
 }
 
 size_t whirl_watched_probes(const whirl_system *system) {
-    return system->probe_count + system->axial_count;
+    return system->probe_count + system->extra_count;
 }
 
 double whirl_probe_way(const whirl_probe *probe) {

@@ -232,10 +232,10 @@ static json_t *station_lines(bool *well, const whirl_table *table, size_t point,
     return array;
 }
 
-// Returns the lines of the axial displacement, largest first.
-static json_t *station_axial_lines(bool *well, const whirl_table *table, size_t point, size_t station) {
-    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_SPECTRUM_AXIAL_LINES);
-    const double *lines = whirl_table_field(table, point, WHIRL_FIELD_SPECTRUM_AXIAL_LINES, station);
+// Returns the lines of a motion besides x and y, largest first.
+static json_t *extra_lines(bool *well, const whirl_table *table, const char *name, size_t point, size_t station) {
+    const whirl_field *field = whirl_layout_field(&table->layout, name);
+    const double *lines = whirl_table_field(table, point, name, station);
     json_t *array = json_array();
     for (size_t n = 0; field && lines && n < field->rows && !isnan(lines[2 * n]); ++n) {
         json_t *object = json_object();
@@ -246,8 +246,29 @@ static json_t *station_axial_lines(bool *well, const whirl_table *table, size_t 
     return array;
 }
 
+static json_t *station_axial_lines(bool *well, const whirl_table *table, size_t point, size_t station) {
+    return extra_lines(well, table, WHIRL_FIELD_SPECTRUM_AXIAL_LINES, point, station);
+}
+
+static json_t *station_twist_lines(bool *well, const whirl_table *table, size_t point, size_t station) {
+    return extra_lines(well, table, WHIRL_FIELD_SPECTRUM_TWIST_LINES, point, station);
+}
+
+// Adds amplitude and lag of a motion besides x and y, if the table has it.
+static void put_extra_part(bool *well, json_t *object, const whirl_table *table, size_t point, size_t station,
+                           const char *name, const char *amplitude, const char *lag) {
+    const double *size = whirl_table_field(table, point, amplitude, station);
+    const double *behind = whirl_table_field(table, point, lag, station);
+    if (!size || !behind) return;
+    json_t *part = json_object();
+    document_put(well, part, "amplitude", document_number(*size));
+    document_put(well, part, "lag", document_number(*behind));
+    document_put(well, object, name, part);
+}
+
 // Returns the synchronous part: amplitude, zero to peak, and phase lag in degrees, of x, y and both circular motions,
-// and of the axial displacement of stations that move along their shafts.
+// of the axial displacement of stations that move along their shafts, and of the twist of those that also move
+// otherwise (rad).
 static json_t *station_synchronous(bool *well, const whirl_table *table, size_t point, size_t station) {
     static const char *const parts[] = {"x", "y", "forward", "backward"};
     const double *amplitude = whirl_table_field(table, point, WHIRL_FIELD_SPECTRUM_SYNCHRONOUS, station);
@@ -259,14 +280,10 @@ static json_t *station_synchronous(bool *well, const whirl_table *table, size_t 
         document_put(well, part, "lag", document_number(lag[i]));
         document_put(well, object, parts[i], part);
     }
-    const double *axial = whirl_table_field(table, point, WHIRL_FIELD_SPECTRUM_AXIAL_SYNCHRONOUS, station);
-    const double *axial_lag = whirl_table_field(table, point, WHIRL_FIELD_SPECTRUM_AXIAL_LAG, station);
-    if (axial && axial_lag) {
-        json_t *part = json_object();
-        document_put(well, part, "amplitude", document_number(*axial));
-        document_put(well, part, "lag", document_number(*axial_lag));
-        document_put(well, object, "axial", part);
-    }
+    put_extra_part(well, object, table, point, station, "axial", WHIRL_FIELD_SPECTRUM_AXIAL_SYNCHRONOUS,
+                   WHIRL_FIELD_SPECTRUM_AXIAL_LAG);
+    put_extra_part(well, object, table, point, station, "twist", WHIRL_FIELD_SPECTRUM_TWIST_SYNCHRONOUS,
+                   WHIRL_FIELD_SPECTRUM_TWIST_LAG);
     return object;
 }
 
@@ -486,6 +503,8 @@ static json_t *point_object(bool *well, const whirl_result *result, const whirl_
         put_stations(well, object, "spectrum", station_lines, result, table, point);
     if (whirl_layout_field(&table->layout, WHIRL_FIELD_SPECTRUM_AXIAL_LINES))
         put_stations(well, object, "axial_spectrum", station_axial_lines, result, table, point);
+    if (whirl_layout_field(&table->layout, WHIRL_FIELD_SPECTRUM_TWIST_LINES))
+        put_stations(well, object, "twist_spectrum", station_twist_lines, result, table, point);
     if (whirl_layout_field(&table->layout, WHIRL_FIELD_SPECTRUM_SHARE))
         put_stations(well, object, "spectrum_share", station_share, result, table, point);
     if (whirl_layout_field(&table->layout, WHIRL_FIELD_SPECTRUM_SYNCHRONOUS))

@@ -70,9 +70,10 @@ struct whirl_rotor {
     double *numbers;     ///< [plane_count][STATION_NUMBERS] numbers of stations, then those of the terms, then those of
                          ///< the elements
     size_t *places;      ///< [plane_count + element_count] as in whirl_lanes
-    whirl_probe *probes; ///< [2 station_count] those of stations, then those of axial displacements
-    size_t axial_probe_count;        ///< probes of axial displacements
-    size_t *axial_stations;          ///< [station_count] their stations
+    whirl_probe *probes; ///< [3 station_count] those of stations, then those of axial displacements and of twists
+    size_t extra_count;  ///< probes of these
+    whirl_extra *extras; ///< [2 station_count]
+    double (*radians)[4];            ///< [station_count] units of the probes of twists
     whirl_runout *runouts;           ///< runouts of the probes, station after station
     size_t *groups;                  ///< [lanes.group_count + 1]
     double *turns;                   ///< [dimension] as in whirl_system

@@ -61,7 +61,7 @@ static size_t rotor_lay_out(whirl_rotor *rotor, char *block, const building *b) 
         cut(block, &used, total_numbers(b) * sizeof *rotor->numbers),
         cut(block, &used, b->assembly.term_count * sizeof *rotor->terms),
         cut(block, &used, (stations + b->element_count) * sizeof *rotor->places),
-        cut(block, &used, 2 * stations * sizeof *rotor->probes),
+        cut(block, &used, 3 * stations * sizeof *rotor->probes),
         cut(block, &used, (b->assembly.degrees + 1) * sizeof *rotor->groups),
         cut(block, &used, (2 * b->assembly.degrees + b->state_count) * sizeof *rotor->turns),
         cut(block, &used, contacts * sizeof *rotor->contacts),
@@ -96,9 +96,10 @@ static size_t rotor_lay_out(whirl_rotor *rotor, char *block, const building *b) 
         cut(block, &used, stations * sizeof *rotor->axials),
         cut(block, &used, stations * sizeof *rotor->spool_of),
         cut(block, &used, stations * sizeof *rotor->housing_turns),
-        cut(block, &used, stations * sizeof *rotor->axial_stations),
+        cut(block, &used, 2 * stations * sizeof *rotor->extras),
         cut(block, &used, stations * sizeof *rotor->shaft_of),
-        cut(block, &used, b->assembly.station_count * sizeof *rotor->parts)};
+        cut(block, &used, b->assembly.station_count * sizeof *rotor->parts),
+        cut(block, &used, stations * sizeof *rotor->radians)};
     // Point to the parts, in the same order.
     if (!rotor) return used;
     rotor->elements = parts[0];
@@ -140,9 +141,10 @@ static size_t rotor_lay_out(whirl_rotor *rotor, char *block, const building *b) 
     rotor->axials = parts[36];
     rotor->spool_of = parts[37];
     rotor->housing_turns = parts[38];
-    rotor->axial_stations = parts[39];
+    rotor->extras = parts[39];
     rotor->shaft_of = parts[40];
     rotor->parts = parts[41];
+    rotor->radians = parts[42];
     return used;
 }
 
@@ -174,16 +176,28 @@ static void add_probes(whirl_rotor *rotor, const building *b) {
     }
 }
 
-/// Adds the probes of axial displacements, after those of all stations.
-static void add_axial_probes(whirl_rotor *rotor, const building *b) {
-    const size_t degrees = b->assembly.degrees, stations = b->design->station_count;
-    for (size_t s = 0; s < stations; s++) {
+/// Adds the probe of a motion of station s besides x and y, after those of all stations.
+static whirl_probe *add_extra_probe(whirl_rotor *rotor, size_t s, size_t coordinate, size_t degrees, bool twists) {
+    whirl_probe *probe = &rotor->probes[rotor->station_count + rotor->extra_count];
+    *probe = (whirl_probe){.x = coordinate, .y = coordinate, .vx = degrees + coordinate, .vy = degrees + coordinate};
+    strcpy(probe->name, rotor->probes[s].name);
+    rotor->extras[rotor->extra_count++] = (whirl_extra){s, twists};
+    return probe;
+}
+
+/// Adds the probes of axial displacements, and of the twists of stations that also move otherwise.
+static void add_extra_probes(whirl_rotor *rotor, const building *b) {
+    const size_t degrees = b->assembly.degrees;
+    for (size_t s = 0; s < rotor->station_count; s++) {
         const size_t own = b->assembly.stations[s].coordinate[AXIS_AXIAL];
-        whirl_probe *probe = &rotor->probes[stations + rotor->axial_probe_count];
-        if (own == NO_COORDINATE) continue;
-        *probe = (whirl_probe){.x = own, .y = own, .vx = degrees + own, .vy = degrees + own};
-        strcpy(probe->name, rotor->probes[s].name);
-        rotor->axial_stations[rotor->axial_probe_count++] = s;
+        if (own != NO_COORDINATE) add_extra_probe(rotor, s, own, degrees, false);
+    }
+    for (size_t s = 0; s < rotor->station_count; s++) {
+        const size_t own = b->assembly.stations[s].coordinate[AXIS_TWIST];
+        if (own == NO_COORDINATE || rotor->probes[s].twists) continue;
+        for (size_t nth = 0; nth < 4; nth++)
+            rotor->radians[s][nth] = assembly_share(&b->assembly, s, AXIS_TWIST) * rotor->unit[own];
+        add_extra_probe(rotor, s, own, degrees, true)->units = rotor->radians[s];
     }
 }
 
@@ -417,7 +431,7 @@ static whirl_rotor *rotor_finish(building *b) {
         rotor->weight[b->assembly.degrees + own->row] += own->sin;
     }
     add_probes(rotor, b);
-    add_axial_probes(rotor, b);
+    add_extra_probes(rotor, b);
     add_twists_and_axials(rotor, &b->assembly);
     add_runouts(rotor, &b->assembly);
     add_groups(rotor, &b->assembly);

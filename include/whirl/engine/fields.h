@@ -14,6 +14,7 @@
 #define WHIRL_FIELD_ORBIT_LOW "orbit/low"
 #define WHIRL_FIELD_ORBIT_HIGH "orbit/high"
 #define WHIRL_FIELD_ORBIT_AXIAL "orbit/axial"
+#define WHIRL_FIELD_ORBIT_TWIST "orbit/twist"
 
 #define WHIRL_FIELD_RUB_SHARE "rub/share"
 #define WHIRL_FIELD_RUB_NUMBER "rub/number"
@@ -32,6 +33,7 @@
 
 #define WHIRL_FIELD_WAVEFORM_SAMPLES "waveform/samples"
 #define WHIRL_FIELD_WAVEFORM_AXIAL "waveform/axial"
+#define WHIRL_FIELD_WAVEFORM_TWIST "waveform/twist"
 
 #define WHIRL_FIELD_SPECTRUM_LINES "spectrum/lines"
 #define WHIRL_FIELD_SPECTRUM_AMPLITUDE "spectrum/amplitude"
@@ -42,6 +44,10 @@
 #define WHIRL_FIELD_SPECTRUM_AXIAL_AMPLITUDE "spectrum/axial_amplitude"
 #define WHIRL_FIELD_SPECTRUM_AXIAL_SYNCHRONOUS "spectrum/axial_synchronous"
 #define WHIRL_FIELD_SPECTRUM_AXIAL_LAG "spectrum/axial_lag"
+#define WHIRL_FIELD_SPECTRUM_TWIST_LINES "spectrum/twist_lines"
+#define WHIRL_FIELD_SPECTRUM_TWIST_AMPLITUDE "spectrum/twist_amplitude"
+#define WHIRL_FIELD_SPECTRUM_TWIST_SYNCHRONOUS "spectrum/twist_synchronous"
+#define WHIRL_FIELD_SPECTRUM_TWIST_LAG "spectrum/twist_lag"
 
 #define WHIRL_FIELD_LYAPUNOV_LARGEST "lyapunov/largest"
 #define WHIRL_FIELD_LYAPUNOV_ERROR "lyapunov/error"
@@ -241,6 +247,7 @@
 #define WHIRL_FIELD_TRACE_LOW "trace/low"
 #define WHIRL_FIELD_TRACE_HIGH "trace/high"
 #define WHIRL_FIELD_TRACE_AXIAL "trace/axial"
+#define WHIRL_FIELD_TRACE_TWIST "trace/twist"
 
 #define WHIRL_FIELD_TORUS_NUMBER "torus/number"
 #define WHIRL_FIELD_TORUS_BRANCH "torus/branch"
@@ -267,6 +274,7 @@
 #define WHIRL_FIELD_TORUS_LOW "torus/low"
 #define WHIRL_FIELD_TORUS_HIGH "torus/high"
 #define WHIRL_FIELD_TORUS_AXIAL "torus/axial"
+#define WHIRL_FIELD_TORUS_TWIST "torus/twist"
 #define WHIRL_FIELD_TORUS_SECTION_LOW "torus/section_low"
 #define WHIRL_FIELD_TORUS_SECTION_HIGH "torus/section_high"
 #define WHIRL_FIELD_TORUS_SECTION "torus/section"
@@ -348,6 +356,16 @@
 #define WHIRL_FIELD_RUNUP_AXIAL_SPECTRUM "runup/axial_spectrum"
 #define WHIRL_FIELD_RUNUP_AXIAL_ORBIT "runup/axial_orbit"
 #define WHIRL_FIELD_RUNUP_AXIAL_WAVEFORM "runup/axial_waveform"
+#define WHIRL_FIELD_RUNUP_TWIST "runup/twist"
+#define WHIRL_FIELD_RUNUP_TWIST_AMPLITUDE "runup/twist_amplitude"
+#define WHIRL_FIELD_RUNUP_TWIST_LAG "runup/twist_lag"
+#define WHIRL_FIELD_RUNUP_TWIST_EXTREME "runup/twist_extreme"
+#define WHIRL_FIELD_RUNUP_TWIST_TIME "runup/twist_time"
+#define WHIRL_FIELD_RUNUP_TWIST_SPEED "runup/twist_speed"
+#define WHIRL_FIELD_RUNUP_TWIST_PLACE "runup/twist_place"
+#define WHIRL_FIELD_RUNUP_TWIST_SPECTRUM "runup/twist_spectrum"
+#define WHIRL_FIELD_RUNUP_TWIST_ORBIT "runup/twist_orbit"
+#define WHIRL_FIELD_RUNUP_TWIST_WAVEFORM "runup/twist_waveform"
 
 #define WHIRL_FIELD_FIT_OUTCOME "fit/outcome"
 #define WHIRL_FIELD_FIT_UNKNOWN "fit/unknown"

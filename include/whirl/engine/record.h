@@ -260,8 +260,8 @@ typedef struct whirl_record_rest {
 typedef struct whirl_record {
     size_t dimension, probe_count, contact_count; ///< as in the system
     const whirl_probe *probes;                    ///< as in the system; borrowed
-    size_t axial_count;                           ///< as in the system
-    const size_t *axial_stations;                 ///< as in the system; borrowed
+    size_t extra_count;                           ///< as in the system
+    const whirl_extra *extras;                    ///< as in the system; borrowed
     const double *turns;                          ///< as in the system; borrowed. Sections hold 0 for turning phases
     const double *angles;                         ///< as in the system; borrowed
     size_t repeats;                               ///< as in the system
@@ -284,11 +284,11 @@ typedef struct whirl_record {
 
     size_t sample_count;           ///< samples of the waveform over the record, 0 if not requested
     size_t samples_per_revolution; ///< samples at t = period/samples_per_revolution, ..., period
-    double *waveform;              ///< [probe_count + axial_count][2][sample_count] x, then y, of every probe
+    double *waveform;              ///< [probe_count + extra_count][2][sample_count] x, then y, of every probe
 
     /// [dimension] Bounds of every coordinate over the record; in lanes as in whirl_ensemble_seen.
     double *low, *high;
-    /// Quantities observed over the record, of all probes, those of axial displacements last: radii sqrt(x^2 + y^2);
+    /// Quantities observed over the record, of all probes, those of `extras` last: radii sqrt(x^2 + y^2);
     /// `backward`, the share of the time with x vy - y vx < 0 (whirl against the rotation, about (0, 0)); normal forces
     /// in the model's unit.
     WHIRL_WATCHED_ARRAYS

@@ -77,7 +77,10 @@ enum {
     WHIRL_OF_STATION_RADIUS,
     WHIRL_OF_STATION_VX, ///< m/s
     WHIRL_OF_STATION_VY,
-    WHIRL_OF_STATION_SPEED, ///< rad/s
+    WHIRL_OF_STATION_SPEED,          ///< rad/s
+    WHIRL_OF_STATION_AXIAL,          ///< m, displacement along the shaft; 0 where the station has none
+    WHIRL_OF_STATION_AXIAL_VELOCITY, ///< m/s
+    WHIRL_OF_STATION_TWIST,          ///< rad, relative to the mean turn; 0 where the station has none
     WHIRL_OF_STATION
 };
 

@@ -59,6 +59,13 @@ typedef struct whirl_probe {
     const double *units;
 } whirl_probe;
 
+/// A motion of a station besides x and y, for which it has a probe more: its displacement along the shaft, or the twist
+/// of a station that also moves otherwise.
+typedef struct whirl_extra {
+    size_t station;
+    bool twists; ///< the motion is the twist; otherwise the axial displacement
+} whirl_extra;
+
 /// Returns true if the probe measures displacements along x (which: 0) or y (1).
 bool whirl_probe_sees(const whirl_probe *probe, size_t which);
 
@@ -196,7 +203,7 @@ typedef struct whirl_system {
     const double *frequencies; ///< [frequency_count] at which the coefficients are known, rad/s, rising; borrowed
 
     size_t probe_count;        ///< number of probes, one a station
-    const whirl_probe *probes; ///< [probe_count + axial_count] borrowed; lives as long as the system
+    const whirl_probe *probes; ///< [probe_count + extra_count] borrowed; lives as long as the system
 
     const void *model; ///< passed to every function; borrowed
 
@@ -244,9 +251,9 @@ typedef struct whirl_system {
     /// place of twists: 1 for an axial mode.
     double (*axial)(const void *model, const double *v, double *shape);
 
-    size_t axial_count; ///< stations that move along their shafts: each has one more probe, after those of all
-                        ///< stations, whose x is the axial displacement, in the state's units of length
-    const size_t *axial_stations; ///< [axial_count] stations of these probes, rising; borrowed
+    size_t extra_count; ///< motions of stations besides x and y: each has a probe after those of all stations, whose x
+                        ///< is the axial displacement in the state's units of length, or the twist in rad
+    const whirl_extra *extras; ///< [extra_count] axial displacements first, stations rising; borrowed
 
     size_t spool_count;               ///< shafts whose speed does not depend on the rotor's
     const struct whirl_spool *spools; ///< [spool_count] borrowed
@@ -266,7 +273,7 @@ typedef struct whirl_system {
     const whirl_stop *stop;
 } whirl_system;
 
-/// Returns the number of all probes of a system: those of its stations and those of axial displacements.
+/// Returns the number of all probes of a system: those of its stations, and those of axial displacements and twists.
 size_t whirl_watched_probes(const whirl_system *system);
 
 /// Maximum number of shafts of a rotor whose speed does not depend on the rotor's.

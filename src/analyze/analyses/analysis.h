@@ -17,6 +17,7 @@ typedef struct block_shape {
     size_t samples_per_revolution;
     bool at_rest;                        ///< points are of machines at rest
     bool twists, axial;                  ///< true if stations twist; true if stations move along their shafts
+    bool also_twists;                    ///< true if stations twist that also move otherwise
     size_t torque_count;                 ///< as whirl_system.torque_count
     size_t run_shaft_count;              ///< as whirl_system.shaft_count
     size_t excitation_count, path_count; ///< as in whirl_system.torsion
@@ -47,6 +48,12 @@ size_t rows_of_longest_orbit(const block_shape *shape);
 /// Returns the rows of a field of axial displacements: 1, or 0 if no station moves along its shaft. Such a field has no
 /// dimension of rows (whirl_analysis_has_rows).
 size_t rows_of_axial(const block_shape *shape);
+
+/// Returns likewise the rows of a field of the twists of stations that also move otherwise.
+size_t rows_of_twist(const block_shape *shape);
+
+/// Writes the least and largest value of a probe besides those of stations over bounds of the state [dimension].
+void extra_bounds(const whirl_probe *probe, const double *low, const double *high, double out[2]);
 
 /// Returns the numbers [rows][columns] of a field for a station or contact (0 for fields of the point), or NULL if the
 /// field was left out.

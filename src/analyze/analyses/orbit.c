@@ -3,7 +3,7 @@
 
 #include "analysis.h"
 
-enum { WHIRL_WATCHED_OF_STATIONS(WATCHED_INDEX) ECCENTRICITY, LOW, HIGH, AXIAL, FIELD_COUNT };
+enum { WHIRL_WATCHED_OF_STATIONS(WATCHED_INDEX) ECCENTRICITY, LOW, HIGH, AXIAL, TWIST, FIELD_COUNT };
 
 static const field_plan fields[FIELD_COUNT] = {
     [ECCENTRICITY] =
@@ -19,6 +19,10 @@ static const field_plan fields[FIELD_COUNT] = {
          "mean, least, largest (axial displacement at all instants, in the direction of growing positions; missing "
          "where the station does not move along its shaft)",
          WHIRL_PER_STATION, 3, rows_of_axial},
+    [TWIST] = {WHIRL_FIELD_ORBIT_TWIST, "rad",
+               "mean, least, largest (twist about the axis at all instants, positive from x towards y; missing where "
+               "the station does not twist, or moves no other way)",
+               WHIRL_PER_STATION, 3, rows_of_twist},
     // clang-format off
     WHIRL_WATCHED_OF_STATIONS(WATCHED_PLAN)
     // clang-format on
@@ -44,13 +48,12 @@ static whirl_status orbit_compute(const whirl_record *record, const whirl_record
         if (orbit_rests(view_numbers(view, LOW, which), view_numbers(view, HIGH, which), radius))
             *view_numbers(view, WATCHED_backward, which) = NAN;
     }
-    // Probes of axial displacements follow those of the stations.
-    for (size_t i = 0; i < record->axial_count; i++) {
-        const whirl_probe *probe = &record->probes[record->probe_count + i];
-        double *axial = view_numbers(view, AXIAL, record->axial_stations[i]);
-        axial[0] = record->mean[2 * (record->probe_count + i)];
-        axial[1] = whirl_probe_value(probe, record->low, 0);
-        axial[2] = whirl_probe_value(probe, record->high, 0);
+    // Probes of axial displacements and twists follow those of the stations.
+    for (size_t i = 0; i < record->extra_count; i++) {
+        const size_t which = record->probe_count + i;
+        double *out = view_numbers(view, record->extras[i].twists ? TWIST : AXIAL, record->extras[i].station);
+        out[0] = record->mean[2 * which];
+        extra_bounds(&record->probes[which], record->low, record->high, out + 1);
     }
     return whirl_ok();
 }

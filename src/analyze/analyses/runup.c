@@ -19,6 +19,10 @@ static size_t runup_every_row_of_axial(const block_shape *shape) {
     return rows_of_axial(shape) * runup_every_row(shape);
 }
 
+static size_t runup_every_row_of_twist(const block_shape *shape) {
+    return rows_of_twist(shape) * runup_every_row(shape);
+}
+
 static size_t runup_every_torque(const block_shape *shape) {
     return whirl_runup_driven(&shape->options->runup) ? shape->torque_count : 0;
 }
@@ -119,6 +123,16 @@ static size_t runup_every_instant_of_axial_orbits(const block_shape *shape) {
 }
 static size_t runup_every_instant_of_axial_waveforms(const block_shape *shape) {
     return rows_of_axial(shape) * runup_every_instant_of_waveforms(shape);
+}
+
+static size_t runup_every_bin_of_twist_spectra(const block_shape *shape) {
+    return rows_of_twist(shape) * runup_every_bin_of_spectra(shape);
+}
+static size_t runup_every_instant_of_twist_orbits(const block_shape *shape) {
+    return rows_of_twist(shape) * runup_every_instant_of_orbits(shape);
+}
+static size_t runup_every_instant_of_twist_waveforms(const block_shape *shape) {
+    return rows_of_twist(shape) * runup_every_instant_of_waveforms(shape);
 }
 
 /// Columns of the field of events.
@@ -382,6 +396,33 @@ static const field_plan fields[FIELD_COUNT] = {
     [AXIAL_WAVEFORM] = {WHIRL_FIELD_RUNUP_AXIAL_WAVEFORM, "length",
                         "axial displacement at the instants of the station's waveforms", WHIRL_PER_STATION, 1,
                         runup_every_instant_of_axial_waveforms},
+    [TWIST] = {WHIRL_FIELD_RUNUP_TWIST, "rad",
+               "mean, least, largest (twist about the axis, positive from x towards y, relative to the mean turn: mean "
+               "over the turn, extremes since the row before; missing where the station does not twist, or moves no "
+               "other way)",
+               WHIRL_PER_STATION, 3, runup_every_row_of_twist},
+    [TWIST_AMPLITUDE] = {WHIRL_FIELD_RUNUP_TWIST_AMPLITUDE, "rad",
+                         "twist1, twist2, twist3, twist4 (amplitudes of the twist at 1 to 4 times the speed, over "
+                         "the turn)",
+                         WHIRL_PER_STATION, RUNUP_ORDERS, runup_every_row_of_twist},
+    [TWIST_LAG] = {WHIRL_FIELD_RUNUP_TWIST_LAG, "deg",
+                   "twist1, twist2, twist3, twist4 (angles by which these peaks come after the mark)",
+                   WHIRL_PER_STATION, RUNUP_ORDERS, runup_every_row_of_twist},
+    [TWIST_EXTREME] = {WHIRL_FIELD_RUNUP_TWIST_EXTREME, "rad", "least, largest (twist in the run; located)",
+                       WHIRL_PER_STATION, 2, rows_of_twist},
+    [TWIST_TIME] = {WHIRL_FIELD_RUNUP_TWIST_TIME, "s", "least, largest (times of these twists)", WHIRL_PER_STATION, 2,
+                    rows_of_twist},
+    [TWIST_SPEED] = {WHIRL_FIELD_RUNUP_TWIST_SPEED, "rad/s", "least, largest (speeds of the shaft at these times)",
+                     WHIRL_PER_STATION, 2, rows_of_twist},
+    [TWIST_PLACE] = {WHIRL_FIELD_RUNUP_TWIST_PLACE, "rad", "twist at the end of the run", WHIRL_PER_STATION, 1,
+                     rows_of_twist},
+    [TWIST_SPECTRUM] = {WHIRL_FIELD_RUNUP_TWIST_SPECTRUM, "rad",
+                        "amplitudes of the twist at the orders; a row a bin, one spectrum after another",
+                        WHIRL_PER_STATION, 1, runup_every_bin_of_twist_spectra},
+    [TWIST_ORBIT] = {WHIRL_FIELD_RUNUP_TWIST_ORBIT, "rad", "twist at the instants of the orbits", WHIRL_PER_STATION, 1,
+                     runup_every_instant_of_twist_orbits},
+    [TWIST_WAVEFORM] = {WHIRL_FIELD_RUNUP_TWIST_WAVEFORM, "rad", "twist at the instants of the station's waveforms",
+                        WHIRL_PER_STATION, 1, runup_every_instant_of_twist_waveforms},
 };
 
 /// State of filling the rows of a run.
@@ -392,7 +433,7 @@ typedef struct filling {
     size_t rows, contacts, torques;
     double duration, way;
     double *radius, *force; ///< [probes], [contacts] largest since the row before
-    double *axial;          ///< [axial_count][2] least and largest axial displacement since the row before
+    double *extra;          ///< [extra_count][2] least and largest axial displacement or twist since the row before
     size_t row;             ///< row of the last turn
     runup_views views;
     runup_history *histories; ///< [torques]
@@ -430,12 +471,12 @@ static void runup_fill_station(const filling *f, const runup_turn *turn, size_t 
     runup_fill_orders(f, own, probe, own->radius, f->way < 0.0, orders, f->row);
 }
 
-/// Fills in the axial displacement of a station over a turn. `index` counts the stations that move along their shafts,
-/// from 0.
-static void runup_fill_axial(const filling *f, const runup_turn *turn, size_t index) {
+/// Fills in the axial displacement or twist of a station over a turn. `index`: of whirl_system.extras.
+static void runup_fill_extra(const filling *f, const runup_turn *turn, size_t index) {
     const runup_station *own = &turn->stations[f->system->probe_count + index];
-    const size_t station = f->system->axial_stations[index];
-    double *extremes = f->axial + 2 * index, *row = runup_at_row(f, AXIAL, station, 3);
+    const whirl_extra *extra = &f->system->extras[index];
+    const size_t station = extra->station;
+    double *extremes = f->extra + 2 * index, *row = runup_at_row(f, runup_extra_field(extra, AXIAL), station, 3);
     row[1] = extremes[0] = fmin(extremes[0], own->least);
     row[2] = extremes[1] = fmax(extremes[1], own->largest);
     if (!turn->whole) return;
@@ -443,8 +484,8 @@ static void runup_fill_axial(const filling *f, const runup_turn *turn, size_t in
     for (size_t k = 0; k < RUNUP_ORDERS; k++) {
         const double size = fmax(fabs(own->least), fabs(own->largest));
         const whirl_synchronous part = synchronous_of(own->x[k], own->y[k], size);
-        runup_at_row(f, AXIAL_AMPLITUDE, station, RUNUP_ORDERS)[k] = part.amplitude[0];
-        runup_at_row(f, AXIAL_LAG, station, RUNUP_ORDERS)[k] = part.lag[0];
+        runup_at_row(f, runup_extra_field(extra, AXIAL_AMPLITUDE), station, RUNUP_ORDERS)[k] = part.amplitude[0];
+        runup_at_row(f, runup_extra_field(extra, AXIAL_LAG), station, RUNUP_ORDERS)[k] = part.lag[0];
     }
 }
 
@@ -479,8 +520,8 @@ static void runup_fill_row(void *context, const runup_turn *turn) {
     const size_t row = runup_row_at(f, turn->end);
     if (row != f->row || isnan(*runup_at_row(f, TIME, 0, 1))) {
         for (size_t p = 0; p < probes; p++) f->radius[p] = 0.0;
-        for (size_t i = 0; i < f->system->axial_count; i++)
-            f->axial[2 * i] = (double)INFINITY, f->axial[2 * i + 1] = -(double)INFINITY;
+        for (size_t i = 0; i < f->system->extra_count; i++)
+            f->extra[2 * i] = (double)INFINITY, f->extra[2 * i + 1] = -(double)INFINITY;
         for (size_t c = 0; c < f->contacts; c++) f->force[c] = 0.0;
     }
     f->row = row;
@@ -490,7 +531,7 @@ static void runup_fill_row(void *context, const runup_turn *turn) {
         *runup_at_row(f, RADIUS, p, 1) = f->radius[p];
         if (turn->whole) runup_fill_station(f, turn, p);
     }
-    for (size_t i = 0; i < f->system->axial_count; i++) runup_fill_axial(f, turn, i);
+    for (size_t i = 0; i < f->system->extra_count; i++) runup_fill_extra(f, turn, i);
     for (size_t c = 0; c < f->contacts; c++) {
         f->force[c] = fmax(f->force[c], turn->force[c]);
         *runup_at_row(f, FORCE, c, 1) = f->force[c];
@@ -531,7 +572,7 @@ static void runup_archive_filling(filling *f, runup_state *state, archive *a) {
     }
     archive_part(a, f->radius, f->system->probe_count * sizeof *f->radius);
     archive_part(a, f->force, f->contacts * sizeof *f->force);
-    archive_part(a, f->axial, 2 * f->system->axial_count * sizeof *f->axial);
+    archive_part(a, f->extra, 2 * f->system->extra_count * sizeof *f->extra);
     archive_count(a, &f->row, f->rows);
     runup_views_archive(&f->views, a);
     if (f->point->motion) run_motion_archive(f->point->motion, a);
@@ -701,15 +742,17 @@ static void runup_fill_end(const filling *f, const runup_run *run) {
         *view_numbers(view, PEAK_SPEED, p) = run->peaks[p].speed;
     }
     const runup_peak *peak = run->peaks + f->system->probe_count;
-    for (size_t i = 0; i < f->system->axial_count; i++) {
-        const size_t station = f->system->axial_stations[i];
+    for (size_t i = 0; i < f->system->extra_count; i++) {
+        const whirl_extra *extra = &f->system->extras[i];
+        const size_t station = extra->station;
         const whirl_probe *probe = &f->system->probes[f->system->probe_count + i];
-        *view_numbers(view, AXIAL_PLACE, station) = whirl_probe_value(probe, run->last, 0);
+        *view_numbers(view, runup_extra_field(extra, AXIAL_PLACE), station) = whirl_probe_value(probe, run->last, 0);
         for (size_t side = 0; side < 2; side++, peak++) {
             if (!isfinite(peak->radius)) continue;
-            view_numbers(view, AXIAL_EXTREME, station)[side] = side == 0 ? -peak->radius : peak->radius;
-            view_numbers(view, AXIAL_TIME, station)[side] = peak->time;
-            view_numbers(view, AXIAL_SPEED, station)[side] = peak->speed;
+            view_numbers(view, runup_extra_field(extra, AXIAL_EXTREME), station)[side] =
+                side == 0 ? -peak->radius : peak->radius;
+            view_numbers(view, runup_extra_field(extra, AXIAL_TIME), station)[side] = peak->time;
+            view_numbers(view, runup_extra_field(extra, AXIAL_SPEED), station)[side] = peak->speed;
         }
     }
     for (size_t c = 0; c < f->contacts; c++) {
@@ -750,7 +793,7 @@ typedef struct runup_job {
     whirl_runup_options options;
     const block_view *view;
     whirl_running *running;
-    double *numbers; ///< memory of run.last, plan.start, f.radius, f.force and f.axial
+    double *numbers; ///< memory of run.last, plan.start, f.radius, f.force and f.extra
     runup_run run;
     runup_happening events[RUNUP_EVENTS];
     filling f;
@@ -787,8 +830,8 @@ static void runup_job_begin(runup_job *job, bool resume) {
     const whirl_system *system = running->by_angle;
     const size_t d = system->dimension, probes = system->probe_count, contacts = running->contact_count;
     const size_t torques = running->in_time ? running->watched_count : 0;
-    job->numbers = calloc(2 * d + probes + contacts + 2 * system->axial_count + 1, sizeof *job->numbers);
-    job->run = (runup_run){.peaks = calloc(probes + 2 * system->axial_count + 1, sizeof(runup_peak)),
+    job->numbers = calloc(2 * d + probes + contacts + 2 * system->extra_count + 1, sizeof *job->numbers);
+    job->run = (runup_run){.peaks = calloc(probes + 2 * system->extra_count + 1, sizeof(runup_peak)),
                            .contacts = calloc(contacts + 1, sizeof(runup_contact)),
                            .torques = calloc(torques + 1, sizeof(runup_torque)),
                            .events = job->events,
@@ -822,7 +865,7 @@ static void runup_job_begin(runup_job *job, bool resume) {
     }
     f->radius = job->numbers + 2 * d;
     f->force = f->radius + probes;
-    f->axial = f->force + contacts;
+    f->extra = f->force + contacts;
     f->duration = whirl_runup_duration(o);
     if (probes > 0) f->way = whirl_probe_way(&system->probes[0]);
     plan->start = job->numbers + d;

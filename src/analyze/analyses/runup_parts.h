@@ -85,8 +85,24 @@ enum {
     AXIAL_SPECTRUM,
     AXIAL_ORBIT,
     AXIAL_WAVEFORM,
+    TWIST,
+    TWIST_AMPLITUDE,
+    TWIST_LAG,
+    TWIST_EXTREME,
+    TWIST_TIME,
+    TWIST_SPEED,
+    TWIST_PLACE,
+    TWIST_SPECTRUM,
+    TWIST_ORBIT,
+    TWIST_WAVEFORM,
     FIELD_COUNT
 };
+
+/// Returns the field of twists that corresponds to one of axial displacements for a motion of the latter kind, else
+/// that of axial displacements.
+static inline size_t runup_extra_field(const whirl_extra *extra, size_t axial) {
+    return extra->twists ? axial + TWIST - AXIAL : axial;
+}
 
 /// Fills the fields of slow roll from rows that are complete. They stay missing if the run has no slow-roll speed; the
 /// compensated fields also if the 1X changes too much.

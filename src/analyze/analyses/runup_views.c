@@ -62,7 +62,7 @@ static whirl_status runup_fill_spectrum(runup_views *views, size_t row) {
     view_numbers(views->view, SPECTRUM_TIME, 0)[row] = 0.5 * (numbers[0] + views->history.end);
     view_numbers(views->view, SPECTRUM_SPEED, 0)[row] = two_pi * (double)turns / (views->history.end - numbers[0]);
     double *x = views->memory, *y = x + count;
-    // Transform the motion of each station, and its axial displacement; forward is the sense of the shaft.
+    // Transform the motion of each station, and its axial displacement and twist; forward is the sense of the shaft.
     for (size_t p = 0; p < of->probes; p++) {
         whirl_spectrum *made = NULL;
         for (size_t k = 0; k < count; k++) {
@@ -75,9 +75,11 @@ static whirl_status runup_fill_spectrum(runup_views *views, size_t row) {
                                 views->clockwise ? made->forward : made->backward};
         const size_t stations = views->system->probe_count;
         double *out = p < stations ? view_numbers(views->view, SPECTRUM, p) + 2 * row * bins : NULL;
-        if (p >= stations)
-            memcpy(view_numbers(views->view, AXIAL_SPECTRUM, views->system->axial_stations[p - stations]) + row * bins,
+        if (p >= stations) {
+            const whirl_extra *extra = &views->system->extras[p - stations];
+            memcpy(view_numbers(views->view, runup_extra_field(extra, AXIAL_SPECTRUM), extra->station) + row * bins,
                    made->x, bins * sizeof *made->x);
+        }
         for (size_t bin = 0; out && bin < bins; bin++)
             for (size_t way = 0; way < 2; way++) out[2 * bin + way] = ways[way][bin];
         whirl_spectrum_free(made);
@@ -127,8 +129,10 @@ static void runup_fill_orbits(runup_views *views, size_t row) {
     const size_t stations = views->system->probe_count, samples = views->samples.samples;
     for (size_t p = 0; p < stations; p++)
         runup_fill_orbit(views, turn, p, view_numbers(views->view, ORBIT, p) + 2 * row * samples);
-    for (size_t i = 0; i < views->system->axial_count; i++) {
-        double *out = view_numbers(views->view, AXIAL_ORBIT, views->system->axial_stations[i]) + row * samples;
+    for (size_t i = 0; i < views->system->extra_count; i++) {
+        const whirl_extra *extra = &views->system->extras[i];
+        const size_t field = runup_extra_field(extra, AXIAL_ORBIT);
+        double *out = view_numbers(views->view, field, extra->station) + row * samples;
         for (size_t k = 0; k < samples; k++) out[k] = turn[k * views->samples.width + 1 + 2 * (stations + i)];
     }
     runup_fill_instants(views, turn, row);
@@ -152,12 +156,13 @@ static whirl_status runup_fill_due(runup_views *views, double end) {
 
 // ---------------------------------------------------------------- waveforms
 
-/// Returns the column of the axial displacement of a station in a row of samples; 0 if it has none.
-static size_t runup_axial_column(const runup_views *views, size_t station) {
+/// Fills the axial displacement and the twist of a station in a waveform, from a row of samples.
+static void runup_fill_extras(const runup_views *views, size_t station, const double *row, size_t at) {
     const whirl_system *system = views->system;
-    for (size_t i = 0; i < system->axial_count; i++)
-        if (system->axial_stations[i] == station) return 1 + 2 * (system->probe_count + i);
-    return 0;
+    for (size_t i = 0; i < system->extra_count; i++)
+        if (system->extras[i].station == station)
+            view_numbers(views->view, runup_extra_field(&system->extras[i], AXIAL_WAVEFORM), station)[at] =
+                row[1 + 2 * (system->probe_count + i)];
 }
 
 /// Fills a waveform of a station, or of a contact (behind all stations), from the last turns, as many as there are.
@@ -169,7 +174,6 @@ static void runup_fill_waveform(const runup_views *views, size_t which, size_t w
     const size_t stations = views->system->probe_count;
     const bool contact = which >= stations;
     const size_t owner = contact ? which - stations : which;
-    const size_t axial = contact ? 0 : runup_axial_column(views, owner);
     const size_t column = contact ? 1 + 2 * of->probes + 2 * owner : 1 + 2 * owner;
     const double *numbers = turn_history_last(&views->history, turns);
     double *time = view_numbers(views->view, contact ? CONTACT_TIME : WAVEFORM_TIME, owner) + first;
@@ -182,7 +186,7 @@ static void runup_fill_waveform(const runup_views *views, size_t which, size_t w
         } else {
             for (size_t axis = 0; axis < 2; axis++)
                 view_numbers(views->view, WAVEFORM, owner)[2 * (first + k) + axis] = row[column + axis];
-            if (axial > 0) view_numbers(views->view, AXIAL_WAVEFORM, owner)[first + k] = row[axial];
+            runup_fill_extras(views, owner, row, first + k);
         }
     }
 }

@@ -169,9 +169,9 @@ whirl_status whirl_spectrum_new(const whirl_record *record, size_t probe, double
                                 whirl_spectrum **spectrum) {
     *spectrum = NULL;
     if (record->sample_count == 0) return whirl_fail(WHIRL_BAD_INPUT, "the record holds no samples of a waveform");
-    if (probe >= record->probe_count + record->axial_count) {
+    if (probe >= record->probe_count + record->extra_count) {
         return whirl_fail(WHIRL_BAD_INPUT, "there is no probe %zu, the record has %zu", probe,
-                          record->probe_count + record->axial_count);
+                          record->probe_count + record->extra_count);
     }
     const size_t count = record->sample_count;
     double *x = malloc(2 * count * sizeof *x);
@@ -202,6 +202,14 @@ static size_t lines_of_axial(const block_shape *shape) {
     return rows_of_axial(shape) * most_lines(shape);
 }
 
+static size_t lines_of_twist(const block_shape *shape) {
+    return rows_of_twist(shape) * most_lines(shape);
+}
+
+static size_t bins_of_twist(const block_shape *shape) {
+    return rows_of_twist(shape) * kept_bins(shape);
+}
+
 static size_t bins_of_axial(const block_shape *shape) {
     return rows_of_axial(shape) * kept_bins(shape);
 }
@@ -216,6 +224,10 @@ enum {
     AXIAL_AMPLITUDE,
     AXIAL_SYNCHRONOUS,
     AXIAL_LAG,
+    TWIST_LINES,
+    TWIST_AMPLITUDE,
+    TWIST_SYNCHRONOUS,
+    TWIST_LAG,
     FIELD_COUNT
 };
 
@@ -241,6 +253,16 @@ static const field_plan fields[FIELD_COUNT] = {
     [AXIAL_LAG] = {WHIRL_FIELD_SPECTRUM_AXIAL_LAG, "deg",
                    "angle by which the peak of the axial displacement comes after the mark", WHIRL_PER_STATION, 1,
                    rows_of_axial},
+    [TWIST_LINES] = {WHIRL_FIELD_SPECTRUM_TWIST_LINES, "rad",
+                     "order, amplitude (amplitudes of twists; missing where the station does not twist, or moves "
+                     "no other way)",
+                     WHIRL_PER_STATION, 2, lines_of_twist},
+    [TWIST_AMPLITUDE] = {WHIRL_FIELD_SPECTRUM_TWIST_AMPLITUDE, "rad", "order, amplitude (amplitudes of twists)",
+                         WHIRL_PER_STATION, 2, bins_of_twist},
+    [TWIST_SYNCHRONOUS] = {WHIRL_FIELD_SPECTRUM_TWIST_SYNCHRONOUS, "rad", "amplitude of the twist at the speed",
+                           WHIRL_PER_STATION, 1, rows_of_twist},
+    [TWIST_LAG] = {WHIRL_FIELD_SPECTRUM_TWIST_LAG, "deg", "angle by which the peak of the twist comes after the mark",
+                   WHIRL_PER_STATION, 1, rows_of_twist},
 };
 
 static double *put_row(double *out, const whirl_line *line) {
@@ -265,9 +287,11 @@ static void put_spectrum(const whirl_spectrum *spectrum, const block_view *view,
     memcpy(view_numbers(view, LAG, station), spectrum->synchronous.lag, 4 * sizeof(double));
 }
 
-/// Fills in the spectrum of axial displacements of a station, which is that of x.
-static void put_axial_spectrum(const whirl_spectrum *spectrum, const block_view *view, size_t station) {
-    double *lines = view_numbers(view, AXIAL_LINES, station), *bins = view_numbers(view, AXIAL_AMPLITUDE, station);
+/// Fills in the spectrum of axial displacements or twists of a station, which is that of x.
+static void put_extra_spectrum(const whirl_spectrum *spectrum, const block_view *view, const whirl_extra *of) {
+    const bool twists = of->twists;
+    double *lines = view_numbers(view, twists ? TWIST_LINES : AXIAL_LINES, of->station);
+    double *bins = view_numbers(view, twists ? TWIST_AMPLITUDE : AXIAL_AMPLITUDE, of->station);
     for (size_t l = 0; l < spectrum->line_count; l++) {
         *lines++ = spectrum->lines[l].order;
         *lines++ = spectrum->lines[l].x;
@@ -276,20 +300,21 @@ static void put_axial_spectrum(const whirl_spectrum *spectrum, const block_view 
         *bins++ = (double)k * spectrum->resolution;
         *bins++ = spectrum->x[k];
     }
-    *view_numbers(view, AXIAL_SYNCHRONOUS, station) = spectrum->synchronous.amplitude[0];
-    *view_numbers(view, AXIAL_LAG, station) = spectrum->synchronous.lag[0];
+    *view_numbers(view, twists ? TWIST_SYNCHRONOUS : AXIAL_SYNCHRONOUS, of->station) =
+        spectrum->synchronous.amplitude[0];
+    *view_numbers(view, twists ? TWIST_LAG : AXIAL_LAG, of->station) = spectrum->synchronous.lag[0];
 }
 
 static whirl_status spectrum_compute(const whirl_record *record, const whirl_record_options *options,
                                      const block_view *view) {
-    for (size_t s = 0; s < record->probe_count + record->axial_count; s++) {
+    for (size_t s = 0; s < record->probe_count + record->extra_count; s++) {
         whirl_spectrum *spectrum;
         const whirl_status status = whirl_spectrum_new(record, s, options->highest_order, &spectrum);
         if (status.code != WHIRL_OK) return status;
         if (s < record->probe_count)
             put_spectrum(spectrum, view, s);
         else
-            put_axial_spectrum(spectrum, view, record->axial_stations[s - record->probe_count]);
+            put_extra_spectrum(spectrum, view, &record->extras[s - record->probe_count]);
         whirl_spectrum_free(spectrum);
     }
     return whirl_ok();

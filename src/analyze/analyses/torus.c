@@ -34,6 +34,7 @@ enum {
     SECTION_HIGH,
     SECTION,
     AXIAL,
+    TWIST,
     FIELD_COUNT
 };
 
@@ -105,6 +106,9 @@ static const field_plan fields[FIELD_COUNT] = {
                "least, largest (axial displacement at any instant; missing where the station does not move along its "
                "shaft)",
                WHIRL_PER_STATION, 2, rows_of_axial},
+    [TWIST] = {WHIRL_FIELD_TORUS_TWIST, "rad",
+               "least, largest (twist at any instant; missing where the station does not twist, or moves no other way)",
+               WHIRL_PER_STATION, 2, rows_of_twist},
 };
 
 static void put_place(const block_view *view, const whirl_torus_trace *trace) {
@@ -167,14 +171,11 @@ static void put_station(const block_view *view, const whirl_torus_trace *trace, 
     }
 }
 
-/// Writes the bounds of the axial displacements.
-static void put_axial(const block_view *view, const whirl_system *system, const double *low, const double *high) {
-    for (size_t i = 0; i < system->axial_count; i++) {
-        const whirl_probe *probe = &system->probes[system->probe_count + i];
-        double *out = view_numbers(view, AXIAL, system->axial_stations[i]);
-        out[0] = whirl_probe_value(probe, low, 0);
-        out[1] = whirl_probe_value(probe, high, 0);
-    }
+/// Writes the bounds of the axial displacements and twists.
+static void put_extras(const block_view *view, const whirl_system *system, const double *low, const double *high) {
+    for (size_t i = 0; i < system->extra_count; i++)
+        extra_bounds(&system->probes[system->probe_count + i], low, high,
+                     view_numbers(view, system->extras[i].twists ? TWIST : AXIAL, system->extras[i].station));
 }
 
 static whirl_status torus_compute(const whirl_torus_trace *trace, const whirl_record_options *options,
@@ -188,7 +189,7 @@ static whirl_status torus_compute(const whirl_torus_trace *trace, const whirl_re
                           torus->node_count, torus->revolutions, most, longest_orbit);
     put_torus(view, torus);
     for (size_t i = 0; i < trace->system->probe_count; i++) put_station(view, trace, i);
-    put_axial(view, trace->system, trace->view->low, trace->view->high);
+    put_extras(view, trace->system, trace->view->low, trace->view->high);
     return whirl_ok();
 }
 

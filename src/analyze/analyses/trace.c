@@ -26,6 +26,7 @@ enum {
     LOW,
     HIGH,
     AXIAL,
+    TWIST,
     FIELD_COUNT
 };
 
@@ -82,6 +83,9 @@ static const field_plan fields[FIELD_COUNT] = {
                "least, largest (axial displacement at any instant; missing where the station does not move along its "
                "shaft)",
                WHIRL_PER_STATION, 2, rows_of_axial},
+    [TWIST] = {WHIRL_FIELD_TRACE_TWIST, "rad",
+               "least, largest (twist at any instant; missing where the station does not twist, or moves no other way)",
+               WHIRL_PER_STATION, 2, rows_of_twist},
 };
 
 // ---------------------------------------------------------------- to numbers
@@ -137,14 +141,11 @@ static void put_station(const block_view *view, const whirl_system *system, cons
     }
 }
 
-/// Writes the bounds of the axial displacements.
-static void put_axial(const block_view *view, const whirl_system *system, const double *low, const double *high) {
-    for (size_t i = 0; i < system->axial_count; i++) {
-        const whirl_probe *probe = &system->probes[system->probe_count + i];
-        double *out = view_numbers(view, AXIAL, system->axial_stations[i]);
-        out[0] = whirl_probe_value(probe, low, 0);
-        out[1] = whirl_probe_value(probe, high, 0);
-    }
+/// Writes the bounds of the axial displacements and twists.
+static void put_extras(const block_view *view, const whirl_system *system, const double *low, const double *high) {
+    for (size_t i = 0; i < system->extra_count; i++)
+        extra_bounds(&system->probes[system->probe_count + i], low, high,
+                     view_numbers(view, system->extras[i].twists ? TWIST : AXIAL, system->extras[i].station));
 }
 
 static whirl_status trace_compute(const whirl_trace *trace, const whirl_record_options *options,
@@ -157,7 +158,7 @@ static whirl_status trace_compute(const whirl_trace *trace, const whirl_record_o
     put_point(view, trace);
     put_arrays(view, orbit);
     for (size_t i = 0; i < trace->system->probe_count; i++) put_station(view, trace->system, orbit, i);
-    put_axial(view, trace->system, orbit->low, orbit->high);
+    put_extras(view, trace->system, orbit->low, orbit->high);
     return whirl_ok();
 }
 

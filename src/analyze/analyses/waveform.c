@@ -1,4 +1,4 @@
-// Waveforms: displacements that probes see, and axial displacements, over the last revolutions of the record.
+// Waveforms: displacements that probes see, axial displacements and twists, over the last revolutions of the record.
 #include <stdlib.h>
 
 #include "analysis.h"
@@ -11,7 +11,11 @@ static size_t kept_axial(const block_shape *shape) {
     return rows_of_axial(shape) * kept_samples(shape);
 }
 
-enum { SAMPLES, AXIAL, FIELD_COUNT };
+static size_t kept_twist(const block_shape *shape) {
+    return rows_of_twist(shape) * kept_samples(shape);
+}
+
+enum { SAMPLES, AXIAL, TWIST, FIELD_COUNT };
 
 static const field_plan fields[FIELD_COUNT] = {
     [SAMPLES] = {WHIRL_FIELD_WAVEFORM_SAMPLES, "length",
@@ -20,6 +24,9 @@ static const field_plan fields[FIELD_COUNT] = {
     [AXIAL] = {WHIRL_FIELD_WAVEFORM_AXIAL, "length",
                "axial displacement at these angles (missing where the station does not move along its shaft)",
                WHIRL_PER_STATION, 1, kept_axial},
+    [TWIST] = {WHIRL_FIELD_WAVEFORM_TWIST, "rad",
+               "twist at these angles (missing where the station does not twist, or moves no other way)",
+               WHIRL_PER_STATION, 1, kept_twist},
 };
 
 static whirl_status waveform_compute(const whirl_record *record, const whirl_record_options *options,
@@ -39,9 +46,10 @@ static whirl_status waveform_compute(const whirl_record *record, const whirl_rec
             *out++ = x[kept + j];
         }
     }
-    for (size_t i = 0; i < record->axial_count && kept > 0; i++) {
+    for (size_t i = 0; i < record->extra_count && kept > 0; i++) {
+        const whirl_extra *extra = &record->extras[i];
         fill_seen(record, record->probe_count + i, kept, x);
-        memcpy(view_numbers(view, AXIAL, record->axial_stations[i]), x, kept * sizeof *x);
+        memcpy(view_numbers(view, extra->twists ? TWIST : AXIAL, extra->station), x, kept * sizeof *x);
     }
     free(x);
     return whirl_ok();

@@ -87,8 +87,8 @@ whirl_record *record_new(const whirl_system *system, const whirl_integrate_optio
     // Copy what analyses need to know of the system.
     record->dimension = system->dimension;
     record->probe_count = system->probe_count;
-    record->axial_count = system->axial_count;
-    record->axial_stations = system->axial_stations;
+    record->extra_count = system->extra_count;
+    record->extras = system->extras;
     record->contact_count = system->contact_count;
     record->probes = system->probes;
     record->turns = system->turns;
@@ -114,7 +114,7 @@ static void options_archive(const whirl_member *member, const void *options, arc
 
 void record_archive(whirl_record *r, const whirl_integrate_options *integrate, const whirl_record_options *options,
                     archive *a) {
-    const size_t samples = r->record_count * r->samples_per_revolution, probes = r->probe_count + r->axial_count;
+    const size_t samples = r->record_count * r->samples_per_revolution, probes = r->probe_count + r->extra_count;
     options_archive(whirl_integrate_members(), integrate, a);
     options_archive(whirl_record_members(), options, a);
     archive_same(a, (double)r->dimension);
@@ -149,7 +149,7 @@ void record_begin_orbit(whirl_record *record, const whirl_record_options *option
 
 void record_repeat_orbit(whirl_record *record, const whirl_record_options *options) {
     const size_t k = (size_t)record->orbit.period, samples = record->samples_per_revolution;
-    const size_t probes = record->probe_count + record->axial_count;
+    const size_t probes = record->probe_count + record->extra_count;
     const double times = (double)record->record_count / (double)k;
     repeat_rows(record->section, record->section_count, record->dimension, k);
     for (size_t i = 0; i < 2 * probes && options->waveform; i++)

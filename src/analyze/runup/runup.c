@@ -167,7 +167,7 @@ static double runup_radial_slope(const runner *r, const double *x, size_t probe)
 }
 
 /// Returns the size whose largest value is peak `which`: the radius of a station, or the displacement along or against
-/// the axis.
+/// the axis, or the twist in either sense.
 static double runup_peak_size(const runner *r, const double *x, size_t which) {
     if (which < r->probes) return runup_radius_of(r, x, which);
     const double along = runup_value(r, x, r->probes + (which - r->probes) / 2, 0);
@@ -202,9 +202,9 @@ static void runup_note_peak(runner *r, size_t which, double size, size_t k, size
     r->peak_length[which] = (double)(after - before) * step;
 }
 
-/// Notes the least and largest axial displacements in a part, and the states around those that are the least and
-/// largest so far.
-static void runup_see_axial(runner *r, double from, double step, size_t count) {
+/// Notes the least and largest axial displacements and twists in a part, and the states around those that are the least
+/// and largest so far.
+static void runup_see_extras(runner *r, double from, double step, size_t count) {
     for (size_t which = r->probes; which < r->peaks; which++) {
         runup_station *own = &r->stations[r->probes + (which - r->probes) / 2];
         for (size_t k = 0; k <= count; k++) {
@@ -574,7 +574,7 @@ static void runup_see_part(runner *r, double from, double passed, double length)
     const size_t count = (size_t)r->plan->options->samples;
     const double step = length / (double)count;
     runup_see_radii(r, from, step, count);
-    runup_see_axial(r, from, step, count);
+    runup_see_extras(r, from, step, count);
     runup_see_contacts(r, from, step, count);
     runup_see_torques(r, step, count);
     runup_add_orders(r, passed, step, count);
@@ -661,6 +661,22 @@ static double runup_angle_quantity(const runner *r, const double *x, size_t whic
     return x[r->rotor + 2];
 }
 
+/// Sets the variables of axial displacements and twists. rate: m/s of one unit of velocity.
+static void runup_extra_variables(const runner *r, const double *x, double rate) {
+    const whirl_run_course *course = r->plan->course;
+    for (size_t i = 0; i < r->system->extra_count; i++) {
+        const whirl_extra *extra = &r->system->extras[i];
+        const whirl_probe *probe = &r->system->probes[r->probes + i];
+        double *variable = course->variables + WHIRL_VARIABLE_STATIONS + WHIRL_OF_STATION * extra->station;
+        if (extra->twists) {
+            variable[WHIRL_OF_STATION_TWIST] = whirl_probe_value(probe, x, 0);
+        } else {
+            variable[WHIRL_OF_STATION_AXIAL] = course->length * whirl_probe_value(probe, x, 0);
+            variable[WHIRL_OF_STATION_AXIAL_VELOCITY] = rate * whirl_probe_value(probe, x, 2);
+        }
+    }
+}
+
 /// Returns the value of the formula of an event of the course, or a value far from the target where it has none.
 static double runup_formula_quantity(const runner *r, const double *x, size_t which) {
     const whirl_run_course *course = r->plan->course;
@@ -678,7 +694,10 @@ static double runup_formula_quantity(const runner *r, const double *x, size_t wh
         variable[WHIRL_OF_STATION_VX] = rate * whirl_probe_value(probe, x, 2);
         variable[WHIRL_OF_STATION_VY] = rate * whirl_probe_value(probe, x, 3);
         variable[WHIRL_OF_STATION_SPEED] = r->speed[p];
+        variable[WHIRL_OF_STATION_AXIAL] = variable[WHIRL_OF_STATION_AXIAL_VELOCITY] = 0.0;
+        variable[WHIRL_OF_STATION_TWIST] = probe->twists ? variable[WHIRL_OF_STATION_X] : 0.0;
     }
+    runup_extra_variables(r, x, rate);
     const double value = course->value(course->owner, WHIRL_FORMULA_EVENT + (whirl_run_formula)which);
     return isnan(value) ? -INFINITY : value;
 }
@@ -1336,7 +1355,7 @@ static void runup_go_back(runner *r, const runup_where *to) {
     r->machine->turn(r->machine, &to->how);
 }
 
-/// Locates the peaks of radii and of axial displacements between samples.
+/// Locates the peaks of radii, of axial displacements and of twists between samples.
 static void runup_locate_peaks(runner *r) {
     for (size_t p = 0; p < r->peaks; p++) {
         const double *state = r->peak_state + p * r->most;
@@ -1486,7 +1505,7 @@ void runup_open(runner *r, whirl_running *running, const runup_plan *plan, runup
                  .most = running->by_time->dimension,
                  .probes = running->by_angle->probe_count,
                  .watched = whirl_watched_probes(running->by_angle),
-                 .peaks = running->by_angle->probe_count + 2 * running->by_angle->axial_count,
+                 .peaks = running->by_angle->probe_count + 2 * running->by_angle->extra_count,
                  .contacts = running->contact_count,
                  .torques = running->in_time ? running->watched_count : 0,
                  .spools = running->spool_count,

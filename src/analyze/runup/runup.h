@@ -26,7 +26,7 @@ typedef enum runup_end {
 /// A station's motion over a turn of the shaft, in the machine's unit of length.
 typedef struct runup_station {
     double radius;                                   ///< largest distance from the centre
-    double least, largest;                           ///< x of a probe of axial displacements; 0 for stations
+    double least, largest;                           ///< x of a probe besides those of stations; 0 for these
     double mean[2];                                  ///< means of x and y over the turn
     double complex x[RUNUP_ORDERS], y[RUNUP_ORDERS]; ///< 2/turn times the integrals of x and y times exp(-i k theta)
 } runup_station;
@@ -53,7 +53,7 @@ typedef struct runup_turn {
     bool whole;                    ///< the run does not end within the turn: means and orders count
     bool parted;                   ///< an event happened in the turn, such as a trip or the end of a rate
     whirl_torques torques;         ///< torques at the turn's end
-    const runup_station *stations; ///< [probe_count + axial_count] those of axial displacements, as x, come last
+    const runup_station *stations; ///< [probe_count + extra_count] those of whirl_system.extras, as x, come last
     const double *force;           ///< [contact_count] N, largest normal force
     const double *share;           ///< [contact_count] share of the turn in contact
     const double *samples; ///< samples as in turn_samples; NULL if the run ends within the turn, or the plan has none
@@ -113,7 +113,7 @@ typedef struct runup_run {
     double sensitivity[4];   ///< as in the field runup/sensitivity
     size_t event_count;      ///< number of events that may happen
     runup_happening *events; ///< [event_count] those of the options, then those of the course
-    runup_peak *peaks; ///< [probe_count + 2 axial_count] located: the radius of each station; then for each station
+    runup_peak *peaks; ///< [probe_count + 2 extra_count] located: the radius of each station; then for each station
                        ///< that moves along its shaft the displacements against and in the direction of growing
                        ///< positions. -INFINITY: never seen
     runup_contact *contacts; ///< [contact_count] located

@@ -70,7 +70,7 @@ static void fit_axis(const whirl_panel *panel, whirl_axis *axis, bool upright, b
     if (open && axis->logarithmic && all.low > 0.0 && all.high > all.low)
         axis_show(axis, around(all, upright ? 0.06 : 0.0));
     else if (open)
-        axis_show(axis, span_with_margin(all, 0.05, most > 0.0 ? 1e-9 * most : 1.0));
+        axis_show(axis, span_with_margin(all, 0.05, most > 0.0 ? 1e-7 * most : 1.0));
     if (!(axis->low > 0.0)) axis->logarithmic = false;
     const double wide = fmax(1.0, 1e-6 * fabs(axis->low)); // width of a range of one number
     if (!(axis->low < axis->high)) axis_show(axis, span_with_margin((span){axis->low, axis->low}, 0.0, wide));

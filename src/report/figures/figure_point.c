@@ -25,8 +25,8 @@ enum { SHOWN_TURNS = 10 }; ///< revolutions of the waveform panel
 
 static const char dark[] = "#303030";
 
-/// Returns the rows of a field of axial displacements; none if the station does not move along its shaft.
-static numbers point_axial(const whirl_table *table, size_t point, const char *field, size_t station) {
+/// Returns the rows of a field of axial displacements or twists; none if the station does not move so.
+static numbers point_extra(const whirl_table *table, size_t point, const char *field, size_t station) {
     const numbers own = point_numbers(table, point, field, station);
     return own.at && isfinite(own.at[0]) ? own : (numbers){.at = NULL};
 }
@@ -50,9 +50,12 @@ static subject subject_of(const drawing *to, const whirl_table *table, size_t po
     of.section = point_section(table, point, station);
     of.spectrum = point_spectrum(table, point, station);
     of.lines = point_lines(table, point, station);
-    of.axial = point_axial(table, point, WHIRL_FIELD_WAVEFORM_AXIAL, station);
-    of.axial_spectrum = point_axial(table, point, WHIRL_FIELD_SPECTRUM_AXIAL_AMPLITUDE, station);
-    of.axial_lines = point_axial(table, point, WHIRL_FIELD_SPECTRUM_AXIAL_LINES, station);
+    of.axial = point_extra(table, point, WHIRL_FIELD_WAVEFORM_AXIAL, station);
+    of.axial_spectrum = point_extra(table, point, WHIRL_FIELD_SPECTRUM_AXIAL_AMPLITUDE, station);
+    of.axial_lines = point_extra(table, point, WHIRL_FIELD_SPECTRUM_AXIAL_LINES, station);
+    of.twist = point_extra(table, point, WHIRL_FIELD_WAVEFORM_TWIST, station);
+    of.twist_spectrum = point_extra(table, point, WHIRL_FIELD_SPECTRUM_TWIST_AMPLITUDE, station);
+    of.twist_lines = point_extra(table, point, WHIRL_FIELD_SPECTRUM_TWIST_LINES, station);
     of.turn = (size_t)whirl_record_samples(&table->record, table->integrate.steps_per_revolution);
     if (of.turn == 0) of.turn = 1;
     // Find the range of the motion.
@@ -268,17 +271,26 @@ static void add_section(whirl_figure *figure, whirl_panel *panel, const subject 
         series_add(figure, dots, of->length * of->section.at[4 * k], of->length * of->section.at[4 * k + 1]);
 }
 
-/// Draws the axial displacement over the last revolutions.
-static void add_axial(whirl_figure *figure, whirl_panel *panel, const subject *of) {
-    const double turns = (double)of->axial.rows / (double)of->turn, shown = fmin(turns, SHOWN_TURNS);
+/// Draws a motion besides x and y over the last revolutions; size: factor to shown values.
+static void add_extra(whirl_figure *figure, whirl_panel *panel, const subject *of, const numbers *own, double size) {
+    const double turns = (double)own->rows / (double)of->turn, shown = fmin(turns, SHOWN_TURNS);
     whirl_series *line = panel_series(figure, panel, WHIRL_LINE, line_colour(2), 0.53);
     axis_show(&panel->x, (span){turns - shown, turns});
     snprintf(panel->x.label, sizeof panel->x.label, "revolution");
-    symbol_length(of->units, WHIRL_FROM_CENTRE, "axial displacement", panel->y.label, sizeof panel->y.label);
-    for (size_t k = 0; k < of->axial.rows; k++) {
+    for (size_t k = 0; k < own->rows; k++) {
         const double at = (double)(k + 1) / (double)of->turn;
-        if (at >= turns - shown - 1.0 / (double)of->turn) series_add(figure, line, at, of->length * of->axial.at[k]);
+        if (at >= turns - shown - 1.0 / (double)of->turn) series_add(figure, line, at, size * own->at[k]);
     }
+}
+
+static void add_axial(whirl_figure *figure, whirl_panel *panel, const subject *of) {
+    symbol_length(of->units, WHIRL_FROM_CENTRE, "axial displacement", panel->y.label, sizeof panel->y.label);
+    add_extra(figure, panel, of, &of->axial, of->length);
+}
+
+static void add_twist(whirl_figure *figure, whirl_panel *panel, const subject *of) {
+    snprintf(panel->y.label, sizeof panel->y.label, "twist (\u00b0)");
+    add_extra(figure, panel, of, &of->twist, 180.0 / acos(-1.0));
 }
 
 // ---------------------------------------------------------------- the figure
@@ -292,6 +304,8 @@ enum {
     LINES_PANEL,
     AXIAL_PANEL,
     AXIAL_SPECTRUM_PANEL,
+    TWIST_PANEL,
+    TWIST_SPECTRUM_PANEL,
     PANEL_COUNT
 };
 
@@ -303,11 +317,13 @@ static void panels_there(const subject *of, bool there[PANEL_COUNT]) {
     there[SECTION_PANEL] = of->section.at != NULL;
     there[AXIAL_PANEL] = of->axial.at != NULL;
     there[AXIAL_SPECTRUM_PANEL] = of->axial_spectrum.at != NULL || of->axial_lines.at != NULL;
+    there[TWIST_PANEL] = of->twist.at != NULL;
+    there[TWIST_SPECTRUM_PANEL] = of->twist_spectrum.at != NULL || of->twist_lines.at != NULL;
 }
 
-static void (*const adders[])(whirl_figure *, whirl_panel *,
-                              const subject *) = {add_waveform,      add_orbit, add_half_spectrum, add_section,
-                                                  add_full_spectrum, add_lines, add_axial,         add_axial_spectrum};
+static void (*const adders[])(whirl_figure *, whirl_panel *, const subject *) = {
+    add_waveform, add_orbit, add_half_spectrum,  add_section, add_full_spectrum,
+    add_lines,    add_axial, add_axial_spectrum, add_twist,   add_twist_spectrum};
 
 /// Writes the caption of the letters: " (a) Waveform, (b) orbit (grey: bearing), ...".
 static void name_panels(const subject *of, char *text, size_t size) {
@@ -324,7 +340,9 @@ static void name_panels(const subject *of, char *text, size_t size) {
                                  "full spectrum of x + iy",
                                  "lines of the full spectrum",
                                  "axial displacement",
-                                 of->axial_spectrum.at ? "its spectrum" : "its lines"};
+                                 of->axial_spectrum.at ? "its spectrum" : "its lines",
+                                 "twist",
+                                 of->twist_spectrum.at ? "its spectrum" : "its lines"};
     // Join the names of the panels with data.
     bool there[PANEL_COUNT];
     size_t used = 0;
@@ -454,8 +472,8 @@ static whirl_status point_find(figure_list *to, const drawing *of, const char *n
 }
 
 static void point_describe(const drawing *to, const figure_place *place, whirl_figure *figure) {
-    static const char *const panel_names[] = {"waveform",      "orbit",         "spectrum", "section",
-                                              "full-spectrum", "full-spectrum", "axial",    "axial-spectrum"};
+    static const char *const panel_names[] = {"waveform",      "orbit", "spectrum",       "section", "full-spectrum",
+                                              "full-spectrum", "axial", "axial-spectrum", "twist",   "twist-spectrum"};
     // Gather the data, and find the panels that they fill.
     const subject of = subject_of(to, place->table, (size_t)place->point, place->station);
     char point[UNIT_LABEL_SIZE], verdict_text[LABEL_SIZE + 2], panels[400];

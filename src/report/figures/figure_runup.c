@@ -9,9 +9,21 @@
 #include "units.h"
 
 /// Figures of a run: values of figure_place.which.
-enum { OVER_SPEED, OVER_TIME, ORDERS, SHAFTS, SHAFT, AXIAL, CONTACTS, TORQUES };
+enum { OVER_SPEED, OVER_TIME, ORDERS, SHAFTS, SHAFT, AXIAL, TWIST, CONTACTS, TORQUES };
 
 enum { MAX_ORDERS = 4, MAX_TORQUE_PANELS = 6 };
+
+/// Figures of motions besides x and y: their fields and words.
+static const struct {
+    int which;
+    const char *name, *title, *motion, *amplitude, *lag, *extreme, *quantity, *about;
+    bool twists;
+} extras[] = {{AXIAL, "runup-axial", "%.60s along the shaft over the speed", WHIRL_FIELD_RUNUP_AXIAL,
+               WHIRL_FIELD_RUNUP_AXIAL_AMPLITUDE, WHIRL_FIELD_RUNUP_AXIAL_LAG, WHIRL_FIELD_RUNUP_AXIAL_EXTREME,
+               "axial displacement", "in the direction of growing positions", false},
+              {TWIST, "runup-twist", "Twist of %.60s over the speed", WHIRL_FIELD_RUNUP_TWIST,
+               WHIRL_FIELD_RUNUP_TWIST_AMPLITUDE, WHIRL_FIELD_RUNUP_TWIST_LAG, WHIRL_FIELD_RUNUP_TWIST_EXTREME, "twist",
+               "relative to the mean turn", true}};
 
 static void runup_list(figure_list *to, const drawing *of, const whirl_table *table) {
     // Figures that each station has.
@@ -39,14 +51,15 @@ static void runup_list(figure_list *to, const drawing *of, const whirl_table *ta
             snprintf(name, sizeof name, "%s-%.63s", alike[i].name, of->result->stations[s].name);
             list_figure(to, &place, name, alike[i].title, of->result->stations[s].name);
         }
-    // List the figures of stations that move along their shafts.
-    place.which = AXIAL;
-    for (size_t s = 0; s < of->result->station_count && table_has(table, WHIRL_FIELD_RUNUP_AXIAL); s++) {
-        if (!isfinite(whirl_table_number(table, runs[0], WHIRL_FIELD_RUNUP_AXIAL_EXTREME, s))) continue;
-        place.station = s;
-        snprintf(name, sizeof name, "runup-axial-%.63s", of->result->stations[s].name);
-        list_figure(to, &place, name, "%.60s along the shaft over the speed", of->result->stations[s].name);
-    }
+    // List the figures of stations that move along their shafts, and of those that twist and also move otherwise.
+    for (size_t kind = 0; kind < sizeof extras / sizeof *extras; kind++)
+        for (size_t s = 0; s < of->result->station_count && table_has(table, extras[kind].motion); s++) {
+            if (!isfinite(whirl_table_number(table, runs[0], extras[kind].extreme, s))) continue;
+            place.which = extras[kind].which;
+            place.station = s;
+            snprintf(name, sizeof name, "%s-%.63s", extras[kind].name, of->result->stations[s].name);
+            list_figure(to, &place, name, extras[kind].title, of->result->stations[s].name);
+        }
     // List the figures of contacts and torques.
     place.which = CONTACTS;
     if (of->result->contact_count > 0) list_figure(to, &place, "runup-contacts", "Contacts over the time");
@@ -72,7 +85,8 @@ static void runup_add_line(whirl_figure *figure, whirl_series *line, const cours
     const double *values = whirl_table_field(c->table, c->point, field, which);
     const double *over = whirl_table_field(c->table, c->point, c->over, 0);
     const bool wraps = strcmp(field, WHIRL_FIELD_RUNUP_LAG) == 0 || strcmp(field, WHIRL_FIELD_RUNUP_SHAFT_LAG) == 0 ||
-                       strcmp(field, WHIRL_FIELD_RUNUP_AXIAL_LAG) == 0;
+                       strcmp(field, WHIRL_FIELD_RUNUP_AXIAL_LAG) == 0 ||
+                       strcmp(field, WHIRL_FIELD_RUNUP_TWIST_LAG) == 0;
     const size_t rows = (size_t)c->table->record.runup.rows, first = c->shaft > 0 ? (c->shaft - 1) * rows : 0;
     double before = NAN;
     for (size_t row = first; shape && values && over && row < (c->shaft > 0 ? first + rows : shape->rows); row++) {
@@ -184,54 +198,59 @@ static void runup_describe_orders(const drawing *of, const figure_place *place, 
              of->result->stations[place->station].name);
 }
 
-/// Draws the axial displacement of a station: for one run its mean, least and largest values and its amplitudes at
-/// multiples of the speed, for several runs the least and largest values and the amplitude at 1X of each; and the lag
-/// at 1X.
-static void runup_describe_axial(const drawing *of, const figure_place *place, whirl_figure *figure) {
+/// Draws the axial displacement or the twist of a station: for one run its mean, least and largest values and its
+/// amplitudes at multiples of the speed, for several runs the least and largest values and the amplitude at 1X of each;
+/// and the lag at 1X.
+static void runup_describe_extra(const drawing *of, const figure_place *place, whirl_figure *figure) {
+    const size_t kind = place->which == TWIST;
+    const double degrees = 180.0 / acos(-1.0);
     static const char *const names[] = {"mean", "least", "largest"};
     size_t runs[MAX_RUNS];
     const whirl_table *table = place->table;
     const size_t count = runup_list_runs(table, runs), s = place->station;
     whirl_panel *panel =
-        runup_length_panel(of, figure, "displacement", WHIRL_FROM_CENTRE, "axial displacement", true, 4.0);
+        runup_length_panel(of, figure, "displacement", WHIRL_FROM_CENTRE, extras[kind].quantity, true, 4.0);
     whirl_panel *amplitude = runup_length_panel(of, figure, "amplitude", WHIRL_AMPLITUDE, "amplitude", true, 4.0);
     whirl_panel *lag = figure_panel(figure, "lag", 1.0, 3.5);
     if (!panel || !amplitude || !lag) return;
+    if (extras[kind].twists) {
+        snprintf(panel->y.label, sizeof panel->y.label, "twist (\u00b0)");
+        snprintf(amplitude->y.label, sizeof amplitude->y.label, "amplitude (\u00b0)");
+    }
     runup_label_over(of, &lag->x, true);
     snprintf(lag->y.label, sizeof lag->y.label, "lag at 1X (\u00b0)");
     for (size_t i = 0; i < count; i++) {
         const course c = runup_course_of(of, table, runs[i], true);
-        const double length = units_length(of->units, table, runs[i], WHIRL_FROM_CENTRE);
-        const double size = units_length(of->units, table, runs[i], WHIRL_AMPLITUDE);
+        const double length =
+            extras[kind].twists ? degrees : units_length(of->units, table, runs[i], WHIRL_FROM_CENTRE);
+        const double size = extras[kind].twists ? degrees : units_length(of->units, table, runs[i], WHIRL_AMPLITUDE);
         char label[UNIT_LABEL_SIZE] = "";
         if (count > 1) units_point_label(of->units, table, runs[i], label, sizeof label);
         for (size_t column = count > 1 ? 1 : 0; column < 3; column++) {
             whirl_series *line = count > 1
                                      ? panel_series(figure, panel, WHIRL_LINE, line_colour(i), 0.8)
                                      : panel_named(figure, panel, WHIRL_LINE, names[column], line_colour(column), 0.8);
-            runup_add_line(figure, line, &c, WHIRL_FIELD_RUNUP_AXIAL, s, column, length);
+            runup_add_line(figure, line, &c, extras[kind].motion, s, column, length);
         }
         for (size_t order = 0; order < (count > 1 ? 1u : (size_t)MAX_ORDERS); order++) {
             if (count == 1) snprintf(label, sizeof label, "at %zuX", order + 1);
             runup_add_line(figure,
                            panel_named(figure, amplitude, WHIRL_LINE, label, line_colour(count > 1 ? i : order), 0.8),
-                           &c, WHIRL_FIELD_RUNUP_AXIAL_AMPLITUDE, s, order, size);
+                           &c, extras[kind].amplitude, s, order, size);
         }
-        runup_add_line(figure, panel_series(figure, lag, WHIRL_LINE, line_colour(i), 0.8), &c,
-                       WHIRL_FIELD_RUNUP_AXIAL_LAG, s, 0, 1.0);
+        runup_add_line(figure, panel_series(figure, lag, WHIRL_LINE, line_colour(i), 0.8), &c, extras[kind].lag, s, 0,
+                       1.0);
     }
     // The lines of a single run have names of their own in each panel.
     if (count == 1) {
         runup_show_below_legend(panel);
         runup_show_below_legend(amplitude);
     }
-    snprintf(
-        figure->caption, sizeof figure->caption,
-        "Axial displacement of %.60s while the speed changes, in the direction of growing positions: %sits least and "
-        "largest values since the row before, its amplitude%s over single turns, and the lag at 1X behind the mark "
-        "on the shaft.",
-        of->result->stations[s].name, count > 1 ? "" : "its mean over a turn, ",
-        count > 1 ? " at 1X" : "s at 1 to 4 times the speed");
+    snprintf(figure->caption, sizeof figure->caption,
+             "%s of %.60s while the speed changes, %s: %sits least and largest values since the row before, its "
+             "amplitude%s over single turns, and the lag at 1X behind the mark on the shaft.",
+             extras[kind].twists ? "Twist" : "Axial displacement", of->result->stations[s].name, extras[kind].about,
+             count > 1 ? "" : "its mean over a turn, ", count > 1 ? " at 1X" : "s at 1 to 4 times the speed");
 }
 
 /// Draws amplitude and lag of the first run at the speed of the rotor and of every shaft with a speed of its own, each
@@ -421,7 +440,8 @@ static void runup_describe(const drawing *of, const figure_place *place, whirl_f
         runup_describe_shaft(of, place, figure);
         break;
     case AXIAL:
-        runup_describe_axial(of, place, figure);
+    case TWIST:
+        runup_describe_extra(of, place, figure);
         break;
     case TORQUES:
         runup_describe_torques(of, place, figure);

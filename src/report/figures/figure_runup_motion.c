@@ -165,16 +165,23 @@ static void waveforms_describe(const drawing *of, const figure_place *place, whi
         for (own.column = 0; own.column < 2; own.column++)
             waveform_add_line(
                 figure, panel_named(figure, panel, WHIRL_LINE, names[own.column], line_colour(own.column), 0.6), &own);
-        // Draw the axial displacement of a station that moves along its shaft.
-        waveform axial = waveform_of(of, table, runs[0], WHIRL_FIELD_RUNUP_WAVEFORM_TIME,
-                                     WHIRL_FIELD_RUNUP_AXIAL_WAVEFORM, place->station, window);
-        if (!axial.values || !isfinite(axial.values[0])) continue;
-        whirl_panel *below = waveform_panel(of, "axial", "motion", window, 2.8, figure);
-        if (!below) return;
-        below->title[0] = '\0';
-        axial.factor = own.factor;
-        symbol_length(of->units, WHIRL_FROM_CENTRE, "axial displacement", below->y.label, sizeof below->y.label);
-        waveform_add_line(figure, panel_series(figure, below, WHIRL_LINE, line_colour(2), 0.6), &axial);
+        // Draw the axial displacement of a station that moves along its shaft, and the twist of one that twists.
+        for (int twists = 0; twists < 2; twists++) {
+            waveform extra = waveform_of(of, table, runs[0], WHIRL_FIELD_RUNUP_WAVEFORM_TIME,
+                                         twists ? WHIRL_FIELD_RUNUP_TWIST_WAVEFORM : WHIRL_FIELD_RUNUP_AXIAL_WAVEFORM,
+                                         place->station, window);
+            if (!extra.values || !isfinite(extra.values[0])) continue;
+            whirl_panel *below = waveform_panel(of, twists ? "twist" : "axial", "motion", window, 2.8, figure);
+            if (!below) return;
+            below->title[0] = '\0';
+            extra.factor = twists ? 180.0 / acos(-1.0) : own.factor;
+            if (twists)
+                snprintf(below->y.label, sizeof below->y.label, "twist (\u00b0)");
+            else
+                symbol_length(of->units, WHIRL_FROM_CENTRE, "axial displacement", below->y.label,
+                              sizeof below->y.label);
+            waveform_add_line(figure, panel_series(figure, below, WHIRL_LINE, line_colour(2), 0.6), &extra);
+        }
     }
     // Describe the windows.
     snprintf(figure->caption, sizeof figure->caption,

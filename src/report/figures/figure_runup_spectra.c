@@ -13,8 +13,15 @@
 /// Figures of spectra: values of figure_place.which.
 enum { WATERFALL, CASCADE, SPECTROGRAM, KINDS };
 
-/// Added to these for spectra of axial displacements.
-enum { OF_AXIAL = KINDS, ALL_KINDS = 2 * KINDS };
+/// Number of figures: of x and y, then of axial displacements and of twists.
+enum { ALL_KINDS = 3 * KINDS };
+
+/// Motions of a station that have spectra.
+typedef enum spectra_motion { OF_PLANE, ALONG_AXIS, ABOUT_AXIS } spectra_motion;
+
+/// Fields of their spectra.
+static const char *const spectra_fields[] = {WHIRL_FIELD_RUNUP_SPECTRUM, WHIRL_FIELD_RUNUP_AXIAL_SPECTRUM,
+                                             WHIRL_FIELD_RUNUP_TWIST_SPECTRUM};
 
 /// MAX_LINES: largest number of spectra that are drawn as lines. MAX_TIMES, MAX_BOXES: largest numbers of boxes along
 /// the time and, in each direction of whirl, along the frequency. A box joins several spectra or bins, and has their
@@ -29,24 +36,27 @@ static const double TALL = 0.12, MIN_AMPLITUDE = 1e-3;
 typedef struct run_spectra {
     size_t count, bins;
     const double *times, *speeds, *orders; ///< [count], [count], [bins]
-    const double *amplitudes;              ///< [count][bins][2] forward, backward; of axial displacements [count][bins]
-    bool axial;
+    const double *amplitudes;              ///< [count][bins][2] forward, backward; else than of x and y [count][bins]
+    bool axial;                            ///< of an axial displacement or a twist, which do not whirl
+    bool twist;
     double length, largest; ///< factor to shown amplitudes; largest shown amplitude
 } run_spectra;
 
-static bool spectra_of(const drawing *of, const whirl_table *table, size_t station, bool axial, run_spectra *out) {
+static bool spectra_of(const drawing *of, const whirl_table *table, size_t station, spectra_motion motion,
+                       run_spectra *out) {
+    const bool axial = motion != OF_PLANE;
     size_t runs[MAX_RUNS];
     if (!table_has(table, WHIRL_FIELD_RUNUP_SPECTRUM) || runup_list_runs(table, runs) == 0) return false;
-    *out = (run_spectra){
-        .count = whirl_layout_field(&table->layout, WHIRL_FIELD_RUNUP_SPECTRUM_TIME)->rows,
-        .bins = whirl_layout_field(&table->layout, WHIRL_FIELD_RUNUP_SPECTRUM_ORDER)->rows,
-        .times = whirl_table_field(table, runs[0], WHIRL_FIELD_RUNUP_SPECTRUM_TIME, 0),
-        .speeds = whirl_table_field(table, runs[0], WHIRL_FIELD_RUNUP_SPECTRUM_SPEED, 0),
-        .orders = whirl_table_field(table, runs[0], WHIRL_FIELD_RUNUP_SPECTRUM_ORDER, 0),
-        .amplitudes = whirl_table_field(table, runs[0],
-                                        axial ? WHIRL_FIELD_RUNUP_AXIAL_SPECTRUM : WHIRL_FIELD_RUNUP_SPECTRUM, station),
-        .axial = axial,
-        .length = units_length(of->units, table, runs[0], WHIRL_AMPLITUDE)};
+    *out = (run_spectra){.count = whirl_layout_field(&table->layout, WHIRL_FIELD_RUNUP_SPECTRUM_TIME)->rows,
+                         .bins = whirl_layout_field(&table->layout, WHIRL_FIELD_RUNUP_SPECTRUM_ORDER)->rows,
+                         .times = whirl_table_field(table, runs[0], WHIRL_FIELD_RUNUP_SPECTRUM_TIME, 0),
+                         .speeds = whirl_table_field(table, runs[0], WHIRL_FIELD_RUNUP_SPECTRUM_SPEED, 0),
+                         .orders = whirl_table_field(table, runs[0], WHIRL_FIELD_RUNUP_SPECTRUM_ORDER, 0),
+                         .amplitudes = whirl_table_field(table, runs[0], spectra_fields[motion], station),
+                         .axial = axial,
+                         .twist = motion == ABOUT_AXIS,
+                         .length = motion == ABOUT_AXIS ? 180.0 / acos(-1.0)
+                                                        : units_length(of->units, table, runs[0], WHIRL_AMPLITUDE)};
     if (!out->times || !out->speeds || !out->orders || !out->amplitudes) return false;
     for (size_t k = 0; k < (axial ? 1 : 2) * out->count * out->bins; k++)
         if (out->length * out->amplitudes[k] > out->largest) out->largest = out->length * out->amplitudes[k];
@@ -160,7 +170,10 @@ static void spectra_add_boxes(const drawing *of, const run_spectra *s, whirl_fig
                                          .logarithmic = true,
                                          .colours = waterfall_colours,
                                          .count = WATERFALL_COLOURS};
-    symbol_length(of->units, WHIRL_AMPLITUDE, "amplitude", figure->scale.label, sizeof figure->scale.label);
+    if (s->twist)
+        snprintf(figure->scale.label, sizeof figure->scale.label, "amplitude (\u00b0)");
+    else
+        symbol_length(of->units, WHIRL_AMPLITUDE, "amplitude", figure->scale.label, sizeof figure->scale.label);
 }
 
 // ---------------------------------------------------------------- the figures
@@ -172,15 +185,19 @@ static const struct {
                       {"runup-spectrogram", "Frequencies of %.60s over the time"},
                       {"runup-axial-waterfall", "Spectra of %.60s along the shaft over the time"},
                       {"runup-axial-cascade", "Spectra of %.60s along the shaft over the speed"},
-                      {"runup-axial-spectrogram", "Frequencies of %.60s along the shaft over the time"}};
+                      {"runup-axial-spectrogram", "Frequencies of %.60s along the shaft over the time"},
+                      {"runup-twist-waterfall", "Spectra of the twist of %.60s over the time"},
+                      {"runup-twist-cascade", "Spectra of the twist of %.60s over the speed"},
+                      {"runup-twist-spectrogram", "Frequencies of the twist of %.60s over the time"}};
 
 static void spectra_list(figure_list *to, const drawing *of, const whirl_table *table) {
     run_spectra spectra;
     char name[2 * WHIRL_NAME_SIZE];
     for (size_t s = 0; s < of->result->station_count; s++)
         for (size_t which = 0; which < ALL_KINDS; which++) {
-            const bool axial = which >= OF_AXIAL;
-            if ((!axial && of->result->stations[s].twists) || !spectra_of(of, table, s, axial, &spectra)) continue;
+            const spectra_motion motion = (spectra_motion)(which / KINDS);
+            if (motion == OF_PLANE && of->result->stations[s].twists) continue;
+            if (!spectra_of(of, table, s, motion, &spectra)) continue;
             const figure_place place = {
                 .kind = &runup_spectra_figure, .table = table, .point = NO_POINT, .station = s, .which = which};
             snprintf(name, sizeof name, "%s-%.63s", alike[which].name, of->result->stations[s].name);
@@ -192,9 +209,7 @@ static whirl_status spectra_find(figure_list *list, const drawing *of, const cha
     whirl_status status = whirl_ok();
     (void)list;
     for (size_t which = 0; which < ALL_KINDS && status.code == WHIRL_OK; which++)
-        status =
-            runup_find(of, name, alike[which].name,
-                       which < OF_AXIAL ? WHIRL_FIELD_RUNUP_SPECTRUM : WHIRL_FIELD_RUNUP_AXIAL_SPECTRUM, "spectra");
+        status = runup_find(of, name, alike[which].name, spectra_fields[which / KINDS], "spectra");
     return status;
 }
 
@@ -202,9 +217,9 @@ static void spectra_describe(const drawing *of, const figure_place *place, whirl
     const whirl_table *table = place->table;
     run_spectra s;
     // Draw coloured boxes, or lines; a cascade of a run whose speed falls again has a panel for each direction.
-    const bool axial = place->which >= OF_AXIAL;
-    const size_t which = axial ? place->which - OF_AXIAL : place->which;
-    if (!spectra_of(of, table, place->station, axial, &s)) return;
+    const spectra_motion motion = (spectra_motion)(place->which / KINDS);
+    const size_t which = place->which % KINDS;
+    if (!spectra_of(of, table, place->station, motion, &s)) return;
     const size_t turning = which == CASCADE ? spectra_turning(&s) : s.count;
     if (which == SPECTROGRAM) {
         spectra_add_boxes(of, &s, figure);
@@ -219,11 +234,16 @@ static void spectra_describe(const drawing *of, const figure_place *place, whirl
     }
     // Describe the spectra, and their largest amplitude.
     char largest[4 * WHIRL_NAME_SIZE];
-    units_length_label(of->units, WHIRL_AMPLITUDE, "amplitude", largest, sizeof largest);
+    if (s.twist)
+        snprintf(largest, sizeof largest, "amplitude (\u00b0)");
+    else
+        units_length_label(of->units, WHIRL_AMPLITUDE, "amplitude", largest, sizeof largest);
     snprintf(figure->caption, sizeof figure->caption,
-             axial
-                 ? "Spectra of the axial displacement of %.60s over the angle of the shaft, each over %d turns with a "
-                   "Hann window. "
+             s.twist ? "Spectra of the twist of %.60s over the angle of the shaft, each over %d turns with a Hann "
+                       "window. "
+             : s.axial
+                 ? "Spectra of the axial displacement of %.60s over the angle of the shaft, each over %d turns "
+                   "with a Hann window. "
                  : "Spectra of x + iy of %.60s over the angle of the shaft, each over %d turns with a Hann window: "
                    "forward whirl on the positive side, backward whirl on the negative one. ",
              of->result->stations[place->station].name, table->record.runup.spectrum_turns);

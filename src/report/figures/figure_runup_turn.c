@@ -179,15 +179,21 @@ static void turn_add_courses(const turn_view *t, whirl_figure *figure) {
     }
 }
 
-/// Adds the axial displacement of a station that moves along its shaft. Returns false if it does not.
-static bool turn_add_axial(const turn_view *t, whirl_figure *figure) {
-    const double *values = turn_field(t, WHIRL_FIELD_RUNUP_AXIAL_ORBIT, t->station);
+/// Adds the axial displacement of a station that moves along its shaft, or the twist of one that twists and also moves
+/// otherwise. Returns false if it does not.
+static bool turn_add_extra(const turn_view *t, bool twists, whirl_figure *figure) {
+    const double *values =
+        turn_field(t, twists ? WHIRL_FIELD_RUNUP_TWIST_ORBIT : WHIRL_FIELD_RUNUP_AXIAL_ORBIT, t->station);
     if (!values || !isfinite(values[t->orbit * t->samples])) return false;
-    whirl_panel *panel = turn_panel("axial", 2.8, figure);
+    whirl_panel *panel = turn_panel(twists ? "twist" : "axial", 2.8, figure);
     if (!panel) return false;
-    symbol_length(t->of->units, WHIRL_FROM_CENTRE, "axial displacement", panel->y.label, sizeof panel->y.label);
+    if (twists)
+        snprintf(panel->y.label, sizeof panel->y.label, "twist (°)");
+    else
+        symbol_length(t->of->units, WHIRL_FROM_CENTRE, "axial displacement", panel->y.label, sizeof panel->y.label);
+    const double factor = twists ? 180.0 / acos(-1.0) : whirl_shown_length(t->of->units, t->table, t->run);
     turn_line(t, figure, panel_series(figure, panel, WHIRL_LINE, line_colour(2), 0.7), values + t->orbit * t->samples,
-              1, 0, whirl_shown_length(t->of->units, t->table, t->run));
+              1, 0, factor);
     return true;
 }
 
@@ -210,23 +216,23 @@ static void turn_describe(const drawing *of, const figure_place *place, whirl_fi
         runup_orbit_panel(of, place, t.run, orbits + 2 * t.orbit * t.samples, times[t.orbit], speeds[t.orbit], "orbit",
                           figure);
     turn_add_motion(&t, figure);
-    const bool axial = turn_add_axial(&t, figure);
+    const bool axial = turn_add_extra(&t, false, figure), twist = turn_add_extra(&t, true, figure);
     turn_add_contacts(&t, figure);
     const bool shafts = turn_add_shafts(&t, figure);
     if (!shafts) turn_add_torques(&t, figure);
     turn_add_courses(&t, figure);
     // Describe the turn and the panels.
     const whirl_unit *seconds = &of->units->of[WHIRL_QUANTITY_TIME], *rate = &of->units->of[WHIRL_QUANTITY_SPEED];
-    snprintf(figure->caption, sizeof figure->caption,
-             "%.60s in the turn at %.5g %.16s, %.5g %.16s, over the angle of the shaft from the mark on%s%s%s. Torques "
-             "are positive where they drive; those that are 0 throughout the turn are left out.%s",
-             of->result->stations[t.station].name, times[t.orbit] / seconds->size, seconds->name,
-             speeds[t.orbit] / rate->size, rate->name,
-             of->result->stations[t.station].twists ? "" : ": orbit (dot: at the mark) and motion",
-             axial ? "; axial displacement" : "",
-             of->result->contact_count > 0 ? "; normal forces and gaps of contacts, below 0 where they are compressed"
-                                           : "",
-             shafts ? " Dashed: inertia of a shaft times its acceleration, the sum of the torques on it." : "");
+    snprintf(
+        figure->caption, sizeof figure->caption,
+        "%.60s in the turn at %.5g %.16s, %.5g %.16s, over the angle of the shaft from the mark on%s%s%s%s. Torques "
+        "are positive where they drive; those that are 0 throughout the turn are left out.%s",
+        of->result->stations[t.station].name, times[t.orbit] / seconds->size, seconds->name,
+        speeds[t.orbit] / rate->size, rate->name,
+        of->result->stations[t.station].twists ? "" : ": orbit (dot: at the mark) and motion",
+        axial ? "; axial displacement" : "", twist ? "; twist" : "",
+        of->result->contact_count > 0 ? "; normal forces and gaps of contacts, below 0 where they are compressed" : "",
+        shafts ? " Dashed: inertia of a shaft times its acceleration, the sum of the torques on it." : "");
     runup_caption_runs(of, table, 1, figure);
 }
 

@@ -19,11 +19,12 @@ typedef struct subject {
     /// Of the axial displacement: samples [rows][1]; bins and lines [rows][2], order and amplitude; without any if the
     /// station does not move along its shaft.
     numbers axial, axial_spectrum, axial_lines;
-    machine_walls walls; ///< around the station
-    machine_wall wall;   ///< wall of its bearing
-    size_t turn;         ///< samples of the waveform in a revolution
-    span x, y;           ///< range of the orbit (of the section without a waveform), in shown units
-    double size;         ///< larger of the ranges x and y, in shown units
+    numbers twist, twist_spectrum, twist_lines; ///< likewise of the twist of a station that also moves otherwise, rad
+    machine_walls walls;                        ///< around the station
+    machine_wall wall;                          ///< wall of its bearing
+    size_t turn;                                ///< samples of the waveform in a revolution
+    span x, y;   ///< range of the orbit (of the section without a waveform), in shown units
+    double size; ///< larger of the ranges x and y, in shown units
     const whirl_shown_units *units;
     /// Factors from numbers of the result to displacements, amplitudes and frequencies as shown; order NaN: frequencies
     /// are shown as orders.
@@ -51,5 +52,8 @@ void add_lines(whirl_figure *figure, whirl_panel *panel, const subject *of);
 
 /// Draws the spectrum of the axial displacement, or its lines if the whole spectrum was not stored.
 void add_axial_spectrum(whirl_figure *figure, whirl_panel *panel, const subject *of);
+
+/// Draws that of the twist, likewise.
+void add_twist_spectrum(whirl_figure *figure, whirl_panel *panel, const subject *of);
 
 #endif

@@ -243,22 +243,34 @@ void add_lines(whirl_figure *figure, whirl_panel *panel, const subject *of) {
     }
 }
 
-void add_axial_spectrum(whirl_figure *figure, whirl_panel *panel, const subject *of) {
-    const numbers *own = of->axial_spectrum.at ? &of->axial_spectrum : &of->axial_lines;
-    whirl_series *line =
-        panel_series(figure, panel, of->axial_spectrum.at ? WHIRL_LINE : WHIRL_BARS, line_colour(2), 0.53);
+/// Draws a spectrum of a motion besides x and y, or its lines if the whole spectrum was not stored; size: factor from
+/// its amplitudes to those shown.
+static void add_extra_spectrum(whirl_figure *figure, whirl_panel *panel, const subject *of, const numbers *spectrum,
+                               const numbers *lines, double size) {
+    const bool whole = spectrum->at != NULL;
+    const numbers *own = whole ? spectrum : lines;
+    whirl_series *line = panel_series(figure, panel, whole ? WHIRL_LINE : WHIRL_BARS, line_colour(2), 0.53);
     double highest = 0.0, tallest = 0.0;
-    symbol_length(of->units, WHIRL_AMPLITUDE, "amplitude", panel->y.label, sizeof panel->y.label);
     units_order_label(of->units, isnan(of->order), 0, panel->x.label, sizeof panel->x.label);
     for (size_t k = 0; k < own->rows && !isnan(own->at[2 * k]); k++) {
-        const double order = order_size(of) * own->at[2 * k], height = of->amplitude * own->at[2 * k + 1];
+        const double order = order_size(of) * own->at[2 * k], height = size * own->at[2 * k + 1];
         highest = fmax(highest, order);
         tallest = fmax(tallest, height);
-        if (of->axial_spectrum.at)
+        if (whole)
             series_add(figure, line, order, height);
         else
             series_add_to(figure, line, order, 0.0, height);
     }
-    axis_show(&panel->x, (span){0.0, of->axial_spectrum.at ? highest : 1.08 * highest});
+    axis_show(&panel->x, (span){0.0, whole ? highest : 1.08 * highest});
     axis_show(&panel->y, (span){0.0, 1.2 * (tallest > 0.0 ? tallest : 1.0)});
+}
+
+void add_axial_spectrum(whirl_figure *figure, whirl_panel *panel, const subject *of) {
+    symbol_length(of->units, WHIRL_AMPLITUDE, "amplitude", panel->y.label, sizeof panel->y.label);
+    add_extra_spectrum(figure, panel, of, &of->axial_spectrum, &of->axial_lines, of->amplitude);
+}
+
+void add_twist_spectrum(whirl_figure *figure, whirl_panel *panel, const subject *of) {
+    snprintf(panel->y.label, sizeof panel->y.label, "amplitude (\u00b0)");
+    add_extra_spectrum(figure, panel, of, &of->twist_spectrum, &of->twist_lines, 180.0 / acos(-1.0));
 }

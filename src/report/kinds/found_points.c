@@ -364,6 +364,11 @@ static void find_synchronous(const finder *of) {
         sheet_units(of, sheet, "axial", "axial", &amplitude, 4);
         sheet_column(of, sheet, "axial_lag", "lag", WHIRL_QUANTITY_DEGREES, 4);
     }
+    const bool twist = whirl_layout_field(&table->layout, WHIRL_FIELD_SPECTRUM_TWIST_SYNCHRONOUS) != NULL;
+    if (twist) {
+        sheet_column(of, sheet, "twist", "twist", WHIRL_QUANTITY_DEGREES, 4);
+        sheet_column(of, sheet, "twist_lag", "lag", WHIRL_QUANTITY_DEGREES, 4);
+    }
     // Add a row for each station of each motion.
     for (size_t point = 0; point < table->count; point++)
         for (size_t s = 0; s < of->result->station_count && whirl_table_done(table, point); s++) {
@@ -378,10 +383,16 @@ static void find_synchronous(const finder *of) {
                 cell_number(of, sheet, rounding ? 0.0 : factor * size[i]);
                 cell_number(of, sheet, rounding ? (double)NAN : lag[i]);
             }
-            if (!axial) continue;
-            cell_number(of, sheet,
-                        factor * whirl_table_number(table, point, WHIRL_FIELD_SPECTRUM_AXIAL_SYNCHRONOUS, s));
-            cell_number(of, sheet, whirl_table_number(table, point, WHIRL_FIELD_SPECTRUM_AXIAL_LAG, s));
+            if (axial) {
+                const double own = whirl_table_number(table, point, WHIRL_FIELD_SPECTRUM_AXIAL_SYNCHRONOUS, s);
+                cell_number(of, sheet, factor * own);
+                cell_number(of, sheet, whirl_table_number(table, point, WHIRL_FIELD_SPECTRUM_AXIAL_LAG, s));
+            }
+            if (twist) {
+                const double own = whirl_table_number(table, point, WHIRL_FIELD_SPECTRUM_TWIST_SYNCHRONOUS, s);
+                cell_number(of, sheet, 180.0 / acos(-1.0) * own);
+                cell_number(of, sheet, whirl_table_number(table, point, WHIRL_FIELD_SPECTRUM_TWIST_LAG, s));
+            }
         }
     find_sheet_end(of);
 }

@@ -229,38 +229,68 @@ static void runup_find_peaks(const finder *of) {
     find_sheet_end(of);
 }
 
-/// Adds the sheet of the extremes of axial displacements.
-static void runup_find_axial(const finder *of) {
-    if (!whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_AXIAL_EXTREME)) return;
+/// Motions of stations besides x and y: fields of their extremes in a run, and the words of their sheets.
+static const struct {
+    const char *extreme, *time, *speed, *sheet, *title, *about;
+    whirl_quantity quantity;
+    bool twists;
+} runup_extras[] = {
+    {WHIRL_FIELD_RUNUP_AXIAL_EXTREME, WHIRL_FIELD_RUNUP_AXIAL_TIME, WHIRL_FIELD_RUNUP_AXIAL_SPEED, "axial",
+     "Axial displacements in a run",
+     "The least and the largest displacement of a station along its shaft, in the direction of growing positions, "
+     "when, and at which speed of the shaft.",
+     WHIRL_QUANTITY_LENGTH, false},
+    {WHIRL_FIELD_RUNUP_TWIST_EXTREME, WHIRL_FIELD_RUNUP_TWIST_TIME, WHIRL_FIELD_RUNUP_TWIST_SPEED, "turned",
+     "Twists in a run",
+     "The least and the largest twist of a station that also moves along x and y, from x towards y and relative to the "
+     "mean turn, when, and at which speed of the shaft.",
+     WHIRL_QUANTITY_DEGREES, true}};
+
+/// Returns the factor from such a motion in a result to what is shown.
+static double runup_extra_factor(const finder *of, size_t point, bool twists) {
+    return twists ? 180.0 / acos(-1.0) : whirl_result_length_scale(of->result, of->table, point);
+}
+
+/// Adds the sheet of the extremes of axial displacements, or of twists.
+static void runup_find_extra(const finder *of, size_t kind) {
+    if (!whirl_layout_field(&of->table->layout, runup_extras[kind].extreme)) return;
     // Set up the columns.
-    whirl_sheet *sheet = find_sheet(of, "axial", "Axial displacements in a run");
-    sheet->about = "The least and the largest displacement of a station along its shaft, in the direction of growing "
-                   "positions, when, and at which speed of the shaft.";
+    const whirl_quantity quantity = runup_extras[kind].quantity;
+    whirl_sheet *sheet = find_sheet(of, runup_extras[kind].sheet, runup_extras[kind].title);
+    sheet->about = runup_extras[kind].about;
     sheet_values(of, sheet, "", 6);
     sheet_texts(of, sheet, "station", "station");
-    sheet_column(of, sheet, "least", "least", WHIRL_QUANTITY_LENGTH, 5);
+    sheet_column(of, sheet, "least", "least", quantity, 5);
     sheet_column(of, sheet, "least_time", "at", WHIRL_QUANTITY_TIME, 6);
     sheet_column(of, sheet, "least_speed", "speed", WHIRL_QUANTITY_SPEED, 6);
-    sheet_column(of, sheet, "largest", "largest", WHIRL_QUANTITY_LENGTH, 5);
+    sheet_column(of, sheet, "largest", "largest", quantity, 5);
     sheet_column(of, sheet, "largest_time", "at", WHIRL_QUANTITY_TIME, 6);
     sheet_column(of, sheet, "largest_speed", "speed", WHIRL_QUANTITY_SPEED, 6);
-    // Add a row for each station of each run that moves along its shaft.
+    // Add a row for each station of each run that moves so.
     for (size_t point = 0; point < of->table->count; point++)
         for (size_t station = 0; station < of->result->station_count; station++) {
-            const double *extreme = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_AXIAL_EXTREME, station);
-            const double *time = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_AXIAL_TIME, station);
-            const double *speed = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_AXIAL_SPEED, station);
+            const double *extreme = runup_numbers_of(of, point, runup_extras[kind].extreme, station);
+            const double *time = runup_numbers_of(of, point, runup_extras[kind].time, station);
+            const double *speed = runup_numbers_of(of, point, runup_extras[kind].speed, station);
             if (!extreme || !time || !speed || isnan(extreme[0])) continue;
             sheet_row(of, sheet);
             cell_value(of, sheet, point);
             cell_station(of, sheet, station);
             for (size_t side = 0; side < 2; side++) {
-                cell_number(of, sheet, whirl_result_length_scale(of->result, of->table, point) * extreme[side]);
+                cell_number(of, sheet, runup_extra_factor(of, point, runup_extras[kind].twists) * extreme[side]);
                 cell_number(of, sheet, time[side]);
                 cell_number(of, sheet, speed[side]);
             }
         }
     find_sheet_end(of);
+}
+
+/// Names the place, the time and the speed of a largest value.
+static void runup_phrase_when(const finder *of, whirl_phrase *found, size_t station, double time, double speed) {
+    phrase_text(of, found, " at %s, at ", of->result->stations[station].name);
+    phrase_number(of, found, WHIRL_QUANTITY_TIME, 6, time);
+    phrase_text(of, found, " and ");
+    phrase_number(of, found, WHIRL_QUANTITY_SPEED, 6, speed);
 }
 
 /// States the largest motion of all stations and runs.
@@ -280,10 +310,41 @@ static void runup_find_largest_motion(const finder *of) {
     if (largest < 0.0) return;
     whirl_phrase *found = find_at(of, at, "largest motion");
     phrase_number(of, found, WHIRL_QUANTITY_LENGTH, 5, largest);
-    phrase_text(of, found, " from the centre at %s, at ", of->result->stations[which].name);
-    phrase_number(of, found, WHIRL_QUANTITY_TIME, 6, runup_number_of(of, at, WHIRL_FIELD_RUNUP_PEAK_TIME, which));
-    phrase_text(of, found, " and ");
-    phrase_number(of, found, WHIRL_QUANTITY_SPEED, 6, runup_number_of(of, at, WHIRL_FIELD_RUNUP_PEAK_SPEED, which));
+    phrase_text(of, found, " from the centre");
+    runup_phrase_when(of, found, which, runup_number_of(of, at, WHIRL_FIELD_RUNUP_PEAK_TIME, which),
+                      runup_number_of(of, at, WHIRL_FIELD_RUNUP_PEAK_SPEED, which));
+}
+
+/// States the largest axial displacement, or the largest twist, in either direction, of all stations and runs.
+static void runup_find_largest_extra(const finder *of, size_t kind) {
+    double largest = 0.0, time = NAN, speed = NAN;
+    size_t at = 0, which = 0;
+    bool any = false;
+    for (size_t point = 0; point < of->table->count; point++)
+        for (size_t station = 0; station < of->result->station_count && whirl_table_done(of->table, point); station++) {
+            const double *extreme = runup_numbers_of(of, point, runup_extras[kind].extreme, station);
+            const double factor = runup_extra_factor(of, point, runup_extras[kind].twists);
+            for (size_t side = 0; side < 2 && extreme; side++) {
+                if (isnan(extreme[side]) || (any && !(fabs(factor * extreme[side]) > fabs(largest)))) continue;
+                largest = factor * extreme[side];
+                time = runup_numbers_of(of, point, runup_extras[kind].time, station)[side];
+                speed = runup_numbers_of(of, point, runup_extras[kind].speed, station)[side];
+                at = point, which = station, any = true;
+            }
+            // The twist of a station that moves no other way is that of a point 1 m from the axis.
+            const double peak = runup_number_of(of, point, WHIRL_FIELD_RUNUP_PEAK, station) *
+                                whirl_result_length_scale(of->result, of->table, point) * 180.0 / acos(-1.0);
+            if (!runup_extras[kind].twists || !of->result->stations[station].twists || !(peak > fabs(largest)))
+                continue;
+            largest = peak;
+            time = runup_number_of(of, point, WHIRL_FIELD_RUNUP_PEAK_TIME, station);
+            speed = runup_number_of(of, point, WHIRL_FIELD_RUNUP_PEAK_SPEED, station);
+            at = point, which = station, any = true;
+        }
+    if (!any) return;
+    whirl_phrase *found = find_at(of, at, runup_extras[kind].twists ? "largest twist" : "largest axial displacement");
+    phrase_number(of, found, runup_extras[kind].quantity, 5, largest);
+    runup_phrase_when(of, found, which, time, speed);
 }
 
 /// Returns the largest normal force of a contact over all instants of a run, N.
@@ -606,6 +667,7 @@ static void runup_find(const finder *of) {
     runup_find_sensitivity(of);
     runup_find_capture(of);
     runup_find_largest_motion(of);
+    for (size_t kind = 0; kind < sizeof runup_extras / sizeof *runup_extras; kind++) runup_find_largest_extra(of, kind);
     runup_find_touches(of);
     runup_find_largest_torque(of);
     runup_find_slow_roll(of);
@@ -613,7 +675,7 @@ static void runup_find(const finder *of) {
     runup_find_shafts(of);
     runup_find_events(of);
     runup_find_peaks(of);
-    runup_find_axial(of);
+    for (size_t kind = 0; kind < sizeof runup_extras / sizeof *runup_extras; kind++) runup_find_extra(of, kind);
     runup_find_contacts(of);
     runup_find_torques(of);
     runup_find_cycles(of);

@@ -365,21 +365,22 @@ typedef struct derived_path {
     double *x, *y;
 } derived_path;
 
-/// Makes the path; `x` is NULL without memory.
-static void path_make(const derived_motion *m, const whirl_probe *probe, derived_path *path) {
+/// Makes the path, of a twist in rad; `x` is NULL without memory.
+static void path_make(const derived_motion *m, const whirl_probe *probe, bool twist, derived_path *path) {
     const whirl_orbit_sensitivity *s = m->slopes;
+    const double length = twist ? 1.0 : m->lengths[0];
     *path = (derived_path){.all = s->revolutions * s->instants, .width = 1 + s->count};
-    path->x = calloc(2 * path->all * path->width, sizeof *path->x);
+    path->x = calloc(2 * path->all * path->width + 1, sizeof *path->x);
     if (!path->x) return;
     path->y = path->x + path->all * path->width;
     for (size_t k = 0; k < path->all; k++)
         for (size_t c = 0; c < 2; c++) {
             double *to = (c == 0 ? path->x : path->y) + k * path->width;
             const double value = whirl_probe_value(probe, s->states + k * s->dimension, c);
-            to[0] = m->lengths[0] * value;
+            to[0] = length * value;
             for (size_t p = 0; p < s->count; p++)
-                to[1 + p] = m->lengths[0] * whirl_probe_value(probe, s->slopes + (k * s->count + p) * s->dimension, c) +
-                            m->lengths[1 + p] * value;
+                to[1 + p] = length * whirl_probe_value(probe, s->slopes + (k * s->count + p) * s->dimension, c) +
+                            m->lengths[1 + p] * (twist ? value / m->lengths[0] : value);
         }
 }
 
@@ -397,6 +398,7 @@ static void path_extreme(const derived_path *path, double sign, double *out) {
     // Find the instant nearest to the extreme.
     const size_t all = path->all, width = path->width;
     size_t at = 0;
+    if (all == 0) return;
     double best = -INFINITY, f[5], first, second, t = 0.0;
     for (size_t k = 0; k < all; k++) {
         const double radius = sign * hypot(path->x[k * width], path->y[k * width]);
@@ -422,6 +424,26 @@ static void path_extreme(const derived_path *path, double sign, double *out) {
             f[i] = 2.0 * (x[0] * x[p] + y[0] * y[p]);
         }
         out[p] = five_points(f, t, NULL, NULL) / (2.0 * out[0]);
+    }
+}
+
+/// Computes the largest (sign 1) or least (-1) x of the path between instants, and its derivatives, out [width].
+static void path_end(const derived_path *path, double sign, double *out) {
+    const size_t all = path->all, width = path->width;
+    size_t at = 0, near[5];
+    double f[5], first, second, t = 0.0;
+    if (all == 0) return;
+    for (size_t k = 1; k < all; k++)
+        if (sign * path->x[k * width] > sign * path->x[at * width]) at = k;
+    for (size_t i = 0; i < 5; i++) near[i] = (at + all + i - 2) % all;
+    for (size_t i = 0; i < 5; i++) f[i] = path->x[near[i] * width];
+    for (int i = 0; i < 8; i++) {
+        five_points(f, t, &first, &second);
+        if (sign * second < 0.0) t = fmin(fmax(t - first / second, -1.0), 1.0);
+    }
+    for (size_t p = 0; p < width; p++) {
+        for (size_t i = 0; i < 5; i++) f[i] = path->x[near[i] * width + p];
+        out[p] = five_points(f, t, NULL, NULL);
     }
 }
 
@@ -455,14 +477,49 @@ static void path_synchronous(const derived_path *path, size_t instants, size_t p
     }
 }
 
+/// Fields of numbers of motions besides x and y.
+static const struct {
+    const char *motion, *amplitude, *lag;
+    bool twists;
+} derived_extras[] = {
+    {WHIRL_FIELD_ORBIT_AXIAL, WHIRL_FIELD_SPECTRUM_AXIAL_SYNCHRONOUS, WHIRL_FIELD_SPECTRUM_AXIAL_LAG, false},
+    {WHIRL_FIELD_ORBIT_TWIST, WHIRL_FIELD_SPECTRUM_TWIST_SYNCHRONOUS, WHIRL_FIELD_SPECTRUM_TWIST_LAG, true}};
+
+/// Returns the probe of a number: that of a station, or of its axial displacement or twist; NULL if it does not move
+/// so. *kind: index of the latter's fields, or their number.
+static const whirl_probe *motion_probe(const whirl_system *system, const whirl_spread_at *at, size_t *kind) {
+    enum { KINDS = sizeof derived_extras / sizeof *derived_extras };
+    const char *name = at->field->name;
+    for (*kind = 0; *kind < KINDS; ++*kind)
+        if (strcmp(name, derived_extras[*kind].motion) == 0 || strcmp(name, derived_extras[*kind].amplitude) == 0 ||
+            strcmp(name, derived_extras[*kind].lag) == 0)
+            break;
+    if (*kind == KINDS) return &system->probes[at->which];
+    for (size_t i = 0; i < system->extra_count; i++)
+        if (system->extras[i].station == at->which && system->extras[i].twists == derived_extras[*kind].twists)
+            return &system->probes[system->probe_count + i];
+    return NULL;
+}
+
 /// Computes a number of a station, and its derivatives, out [1 + parameters].
 static whirl_status motion_number(const derived_motion *m, const whirl_system *system, const whirl_spread_at *at,
                                   double *out) {
+    enum { KINDS = sizeof derived_extras / sizeof *derived_extras, LEAST = 1, LARGEST = 2 };
     derived_path path;
-    path_make(m, &system->probes[at->which], &path);
+    size_t kind;
+    const whirl_probe *probe = motion_probe(system, at, &kind);
+    for (size_t i = 0; !probe && i < 1 + m->slopes->count; i++) out[i] = (double)NAN;
+    if (!probe) return whirl_ok();
+    path_make(m, probe, kind < KINDS && derived_extras[kind].twists, &path);
     if (!path.x) return whirl_fail(WHIRL_NO_MEMORY, "no memory for derivatives of a motion");
     const char *name = at->field->name;
-    if (strcmp(name, WHIRL_FIELD_ORBIT_MEAN) == 0)
+    if (kind < KINDS && strcmp(name, derived_extras[kind].motion) == 0 && at->index >= LEAST)
+        path_end(&path, at->index == LARGEST ? 1.0 : -1.0, out);
+    else if (kind < KINDS && strcmp(name, derived_extras[kind].motion) == 0)
+        path_mean(&path, path.x, out);
+    else if (kind < KINDS)
+        path_synchronous(&path, m->slopes->instants, 0, strcmp(name, derived_extras[kind].lag) == 0, out);
+    else if (strcmp(name, WHIRL_FIELD_ORBIT_MEAN) == 0)
         path_mean(&path, at->index == 0 ? path.x : path.y, out);
     else if (strcmp(name, WHIRL_FIELD_ORBIT_MAX_RADIUS) == 0 || strcmp(name, WHIRL_FIELD_ORBIT_MIN_RADIUS) == 0)
         path_extreme(&path, strcmp(name, WHIRL_FIELD_ORBIT_MAX_RADIUS) == 0 ? 1.0 : -1.0, out);

@@ -557,8 +557,10 @@ bool whirl_table_derived(const whirl_result *result, const whirl_table *table, s
 
 bool whirl_motion_is_derived(const char *field) {
     static const char *const all[] = {
-        WHIRL_FIELD_ORBIT_MAX_RADIUS,     WHIRL_FIELD_ORBIT_MIN_RADIUS,         WHIRL_FIELD_ORBIT_MEAN,
-        WHIRL_FIELD_SPECTRUM_SYNCHRONOUS, WHIRL_FIELD_SPECTRUM_SYNCHRONOUS_LAG, WHIRL_FIELD_FLOQUET_MODULUS};
+        WHIRL_FIELD_ORBIT_MAX_RADIUS,     WHIRL_FIELD_ORBIT_MIN_RADIUS,           WHIRL_FIELD_ORBIT_MEAN,
+        WHIRL_FIELD_SPECTRUM_SYNCHRONOUS, WHIRL_FIELD_SPECTRUM_SYNCHRONOUS_LAG,   WHIRL_FIELD_FLOQUET_MODULUS,
+        WHIRL_FIELD_ORBIT_AXIAL,          WHIRL_FIELD_SPECTRUM_AXIAL_SYNCHRONOUS, WHIRL_FIELD_SPECTRUM_AXIAL_LAG,
+        WHIRL_FIELD_ORBIT_TWIST,          WHIRL_FIELD_SPECTRUM_TWIST_SYNCHRONOUS, WHIRL_FIELD_SPECTRUM_TWIST_LAG};
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
         if (strcmp(field, all[i]) == 0) return true;
     return false;

@@ -10,7 +10,13 @@ static const struct {
     bool derived; ///< used for derivatives only
 } usual[] = {
     {WHIRL_FIELD_ORBIT_MAX_RADIUS, "", 1, false},
+    {WHIRL_FIELD_ORBIT_AXIAL, "least", 1, false},
+    {WHIRL_FIELD_ORBIT_AXIAL, "largest", 1, false},
+    {WHIRL_FIELD_ORBIT_TWIST, "least", 1, false},
+    {WHIRL_FIELD_ORBIT_TWIST, "largest", 1, false},
     {WHIRL_FIELD_SPECTRUM_SYNCHRONOUS, "forward", 1, true},
+    {WHIRL_FIELD_SPECTRUM_AXIAL_SYNCHRONOUS, "", 1, true},
+    {WHIRL_FIELD_SPECTRUM_TWIST_SYNCHRONOUS, "", 1, true},
     {WHIRL_FIELD_FLOQUET_MODULUS, "", 1, true},
     {WHIRL_FIELD_UNBALANCE_AXES, "major", 1, false},
     {WHIRL_FIELD_TRACE_SPECIAL, "", 1, true},
@@ -22,6 +28,10 @@ static const struct {
     {WHIRL_FIELD_STATICS_ECCENTRICITY, "", 1, false},
     {WHIRL_FIELD_TORSION_ANGLE_SUM, "", 1, false},
     {WHIRL_FIELD_RUNUP_PEAK, "", 1, false},
+    {WHIRL_FIELD_RUNUP_AXIAL_EXTREME, "least", 1, false},
+    {WHIRL_FIELD_RUNUP_AXIAL_EXTREME, "largest", 1, false},
+    {WHIRL_FIELD_RUNUP_TWIST_EXTREME, "least", 1, false},
+    {WHIRL_FIELD_RUNUP_TWIST_EXTREME, "largest", 1, false},
 };
 
 bool spread_usual(const whirl_layout *layout, bool derived, size_t index, whirl_spread_of *of, size_t *which) {
