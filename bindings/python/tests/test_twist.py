@@ -95,7 +95,7 @@ def test_lateral_motion_is_the_same():
 
 
 def test_unit_of_length_and_mirrored_rotation():
-    """The scale of length changes no twist. Torques are along the rotation, so that the mirrored machine twists back."""
+    """The scale of length changes no twist. Torques are along the rotation: a mirrored machine twists back."""
     own = run(MACHINE, SWEEP, method="dop853")["sweep"]
     finer = run(MACHINE.replace("1 mm", "40 um"), SWEEP, method="dop853")["sweep"]
     for field in ("orbit/twist", "waveform/twist", "spectrum/twist_synchronous", "spectrum/twist_lag"):
