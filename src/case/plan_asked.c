@@ -73,6 +73,11 @@ void asked_read(case_reader *reader, const setting *of, const whirl_group *group
             asked_read_one(reader, one, group, out);
 }
 
+/// Returns true for the unit of numbers of which records at neighbouring values are compared.
+static bool asked_has_records(const char *unit) {
+    return strcmp(unit, "length") == 0 || strcmp(unit, "1") == 0;
+}
+
 void asked_check(case_reader *reader, asked_parts *asked, const whirl_batch *batch, const whirl_layout *layout,
                  const machine_parts *machine, const whirl_rotor *rotor, bool derived) {
     const whirl_system *system = whirl_rotor_system(rotor);
@@ -84,11 +89,16 @@ void asked_check(case_reader *reader, asked_parts *asked, const whirl_batch *bat
                                               whirl_rotor_contact_names(rotor), system->contact_count, &at);
         if (asked->found[i] || !whirl_layout_field(layout, of->field)) continue;
         asked->found[i] = true;
-        if (!lacks && derived && whirl_analysis_kind(batch->analyses)->moves && !whirl_motion_is_derived(of->field))
+        const bool other =
+            !lacks && derived && whirl_analysis_kind(batch->analyses)->moves && !whirl_motion_is_derived(of->field);
+        const bool differs = batch->derivatives && batch->derivatives->difference > 0.0;
+        if (other && !differs)
             lacks = "asks for a field of motions without derivatives, expected orbit/max_radius, orbit/min_radius, "
                     "orbit/mean, orbit/axial, orbit/twist, spectrum/synchronous, spectrum/synchronous_lag, "
                     "spectrum/axial_synchronous, spectrum/axial_lag, spectrum/twist_synchronous, "
                     "spectrum/twist_lag or floquet/modulus";
+        if (other && differs && !asked_has_records(whirl_column_unit(at.field, at.index % at.field->columns)))
+            lacks = "asks for a number of motions that has no derivative, expected a length or a number without a unit";
         if (!lacks && derived && whirl_analysis_kind(batch->analyses)->found &&
             strcmp(of->field, WHIRL_FIELD_TRACE_SPECIAL) != 0)
             lacks = "asks for a field of branches without derivatives, expected trace/special";

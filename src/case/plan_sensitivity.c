@@ -55,7 +55,7 @@ static bool sensitivity_fits(const whirl_batch *batch) {
            (batch->role == WHIRL_ROLE_REST && !whirl_analysis_has(batch->analyses, "fit"));
 }
 
-void sensitivity_make(case_reader *reader, const valuation *v, const plan_parts *parts, study_plan *result) {
+void sensitivity_make(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
     const sensitivity_parts *own = &parts->sensitivity;
     if (!own->keys.place || own->count == 0) return;
     // Collect the parameters with their values, and the numbers.
@@ -76,7 +76,13 @@ void sensitivity_make(case_reader *reader, const valuation *v, const plan_parts 
                 problem_at(reader->problems, own->places[i], "is named twice, expected once");
     }
     memcpy(numbers, own->asked.spreads, own->asked.count * sizeof *numbers);
-    *derivatives = (whirl_derivatives){own->count, given, own->asked.count, numbers};
+    if (!settings_check(reader, v, &own->keys)) return;
+    const bool differs = settings_find(&own->keys, "difference") != NULL;
+    *derivatives = (whirl_derivatives){.parameter_count = own->count,
+                                       .parameters = given,
+                                       .number_count = own->asked.count,
+                                       .numbers = numbers,
+                                       .difference = differs ? settings_number(v, &own->keys, "difference") : 0.0};
     // Ask for the derivatives at the points of the batches. Folds of branches need one more derivative, by the branch's
     // own parameter.
     bool any = false;

@@ -10,6 +10,6 @@ void sensitivity_read(case_reader *reader, plan_parts *parts);
 
 /// Asks for the derivatives at every point of the batches that have some: of responses, sweeps, branches and studies of
 /// machines at rest.
-void sensitivity_make(case_reader *reader, const valuation *v, const plan_parts *parts, study_plan *result);
+void sensitivity_make(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result);
 
 #endif

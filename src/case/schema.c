@@ -387,6 +387,9 @@ static const whirl_key sensitivity_keys[] = {
                "a list of names of parameters, whose values in the case are numbers other than 0, and not expressions"),
     CHOICE_KEY("of", OPTIONAL, "",
                "a list of numbers of every point: see number; absent: the usual ones of each study"),
+    NUMBER_KEY("difference", "", "1", OPTIONAL, WHIRL_FROM_TO(1e-4, 0.5),
+               "largest change of each parameter, as a part of its value, for differences of records of motions that "
+               "are not periodic; absent: such motions have no derivatives"),
 };
 
 static const whirl_key number_keys[] = {NUMBER_KEYS};

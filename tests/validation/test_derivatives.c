@@ -463,7 +463,7 @@ static void test_a_map(void **state) {
                  0.0, worst, 1e-10);
 }
 
-/// A chaotic motion has no derivatives.
+/// A chaotic motion has no derivatives without `difference` (test_derivatives_of_chaos.c).
 static void test_chaos_has_none(void **state) {
     (void)state;
     char text[SIZE];

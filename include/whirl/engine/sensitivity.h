@@ -106,13 +106,20 @@ enum { WHIRL_MAX_DERIVED = 64 };
 ///
 /// For machines at rest derivatives are extrapolated differences as above. A mode is followed by its shape; a critical
 /// speed or threshold v, where g(v, p) = 0, has the derivative -g_p/g_v. For motions they are the exact derivatives of
-/// the periodic orbit on which the motion settles; the largest multiplier is differenced. Motions that are not periodic
-/// have no derivatives. Errors are estimates from extrapolation and rounding, 0 for exact derivatives.
+/// the periodic orbit on which the motion settles; the largest multiplier is differenced. Errors are estimates from
+/// extrapolation and rounding, 0 for exact derivatives.
+///
+/// Motions that are not periodic have derivatives only if `difference` is given, of numbers that are no angles: the
+/// slope of the line that fits best to the differences of four pairs of records, at distances from a quarter of
+/// `difference` to all of it on both sides of the parameter's value. The error is half of the 95 % interval of that
+/// slope, from the scatter of the pairs about the line.
 typedef struct whirl_derivatives {
     size_t parameter_count;                ///< number of parameters, at most WHIRL_MAX_SENSITIVITIES
     const whirl_given *parameters;         ///< [parameter_count] with their values in the case; borrowed
     size_t number_count;                   ///< number of chosen numbers; 0: the usual ones of each table
     const struct whirl_spread_of *numbers; ///< [number_count], `above` and `below` infinite; borrowed
+    double difference; ///< largest change of a parameter for motions that are not periodic, as a part of its value; 0:
+                       ///< these have no derivatives
 } whirl_derivatives;
 
 #ifdef __cplusplus

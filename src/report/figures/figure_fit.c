@@ -1,6 +1,7 @@
 // Figures of fits: measured numbers of a file, those of the fitted machine, and their differences.
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "figure_build.h"
 #include "figure_kinds.h"
@@ -113,6 +114,24 @@ static void fit_draw(const fit_panel *p, int kind, double y_unit, whirl_figure *
     }
 }
 
+/// Keeps the rows around the largest displacement of a long waveform. Returns the number of its samples, 0 if all are
+/// shown.
+static size_t fit_shorten(fit_panel *p) {
+    enum { SHOWN = 2000 };
+    size_t probes = 1, largest = 0;
+    while (probes < p->count && fit_row(p, probes)[FIT_AT] == fit_row(p, 0)[FIT_AT]) probes++;
+    const size_t samples = p->count / probes, shown = SHOWN * probes;
+    if (!p->waveform || samples <= SHOWN) return 0;
+    for (size_t i = 1; i < p->count; i++)
+        if (fabs(fit_row(p, i)[FIT_MEASURED]) > fabs(fit_row(p, largest)[FIT_MEASURED])) largest = i;
+    const size_t middle = largest / probes * probes, before = shown / 2;
+    size_t begin = middle > before ? middle - before : 0;
+    if (begin + shown > p->count) begin = (p->count - shown) / probes * probes;
+    p->first += begin;
+    p->count = shown;
+    return samples;
+}
+
 static void fit_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
     const whirl_field *field = whirl_layout_field(&place->table->layout, WHIRL_FIELD_FIT_NUMBER);
     fit_panel p = {.of = of, .table = place->table, .point = (size_t)place->point};
@@ -128,6 +147,7 @@ static void fit_describe(const drawing *of, const figure_place *place, whirl_fig
     p.samples = fit_row(&p, 0)[FIT_QUANTITY] == WHIRL_FIT_SAMPLE;
     p.waveform = fit_row(&p, 0)[FIT_QUANTITY] == WHIRL_FIT_WAVEFORM;
     p.x_unit = speed->size;
+    const size_t samples = fit_shorten(&p);
     for (size_t i = 0; i < p.count; i++) lags = lags || fit_row(&p, i)[FIT_QUANTITY] == WHIRL_FIT_COS;
     // Displacements or amplitudes, their residuals, and lags.
     for (int kind = FIT_DISPLACEMENT; kind <= FIT_LAG; kind++) {
@@ -155,6 +175,10 @@ static void fit_describe(const drawing *of, const figure_place *place, whirl_fig
              "Measured numbers (dots) and those of the machine with the fitted parameters (lines). Residuals are "
              "measured less fitted%s.",
              p.samples || p.waveform ? "" : ", of amplitudes");
+    const size_t used = strlen(figure->caption);
+    if (samples > 0)
+        snprintf(figure->caption + used, sizeof figure->caption - used,
+                 " Of %zu samples those around the largest displacement are shown.", samples);
 }
 
 const figure_kind fit_figure = {

@@ -63,12 +63,46 @@ static void state_numbers(const finder *of) {
     }
 }
 
+/// States how many motions are not periodic, and the meaning of their derivatives if they have any.
+static void state_not_periodic(const finder *of) {
+    const whirl_table *table = of->table;
+    const bool moves =
+        table->role == WHIRL_ROLE_POINT || table->role == WHIRL_ROLE_SURVEY || table->role == WHIRL_ROLE_MAP;
+    size_t others = 0, known = 0, done = 0;
+    for (size_t point = 0; moves && point < table->count; point++) {
+        if (!whirl_table_done(table, point)) continue;
+        done++;
+        const whirl_regime regime = whirl_table_verdict(table, point).regime;
+        if (regime != WHIRL_QUASI_PERIODIC && regime != WHIRL_CHAOTIC) continue;
+        others++;
+        bool any = false;
+        whirl_spread_of own;
+        for (size_t i = 0; whirl_table_derived(of->result, table, i, &own) && !any; i++)
+            for (size_t p = 0; p < sensitivity_parameters(table) && !any; p++)
+                any = isfinite(sensitivity_of(table, point, i, p).slope);
+        known += any;
+    }
+    if (others == 0) return;
+    whirl_statement *statement = find_statement(of, "sensitivity");
+    if (known == 0)
+        phrase_text(of, &statement->found,
+                    "%zu of %zu motions are not periodic and have no derivatives; with `difference` they have "
+                    "differences of records",
+                    others, done);
+    else
+        phrase_text(of, &statement->found,
+                    "%zu of %zu motions are not periodic: their derivatives are slopes over records at eight "
+                    "neighbouring values, with 95 %% errors",
+                    known, done);
+}
+
 void find_derivatives(const finder *of) {
     const whirl_table *table = of->table;
     const size_t parameters = sensitivity_parameters(table);
     whirl_spread_of own;
     if (parameters == 0) return;
     state_numbers(of);
+    state_not_periodic(of);
     // Set up a column for each parameter.
     whirl_sheet *sheet = find_sheet(of, "sensitivity", "Sensitivity to parameters");
     sheet->about = "Change of a number if the parameter of the column grows by 1 %, all others as they are. The result "

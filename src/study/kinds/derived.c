@@ -620,13 +620,93 @@ static whirl_status motion_fill(derived_motion *m, const whirl_system *system) {
     return status;
 }
 
+// ---------------------------------------------------------------- motions that are not periodic
+
+/// Number of pairs of records on both sides of the value of a parameter, and the 97.5 % quantile of Student's
+/// distribution for as many pairs less one.
+enum { STATISTICS_PAIRS = 4 };
+static const double statistics_student = 3.182446;
+
+static bool statistics_go_on(void *batch) {
+    return !whirl_stop_is_set(((const whirl_batch *)batch)->stop);
+}
+
+/// Records the motion of the machine whose parameter has the value `at`, from `start` on, and reads its numbers; NaN if
+/// it does not last. `block` [layout->size] is workspace.
+static whirl_status statistics_at(const derived *d, size_t parameter, double at, const double *start, double *block,
+                                  double *numbers) {
+    varied_given given;
+    double value = d->value;
+    whirl_batch batch = varied_batch(d->batch, derived_name(d, parameter), at, given, &value);
+    const whirl_monitor monitor = {statistics_go_on, &batch};
+    resting_machine own = {.value = value};
+    whirl_record *record = NULL;
+    whirl_status status = d->study->machine(d->study->family, &batch, value, &own.machine);
+    if (status.code == WHIRL_OK)
+        status = whirl_record_motion(own.machine.system, &batch.integrate, &batch.record, start, &monitor, &record);
+    const bool lasts = record && record->motion == WHIRL_BOUNDED;
+    if (status.code == WHIRL_OK && lasts)
+        status = whirl_analyze(record, &batch.record, batch.analyses, d->layout, block);
+    for (size_t i = 0; i < d->count; i++) numbers[i] = NAN;
+    if (status.code == WHIRL_OK && lasts) derived_read(d, &own, block, numbers);
+    whirl_record_free(record);
+    if (own.machine.release) own.machine.release(own.machine.owner);
+    return status;
+}
+
+/// Derives all numbers by a parameter: the slopes of the lines through 0 that fit best to the halves of the differences
+/// of pairs of records, over their distances from the value.
+static whirl_status statistics_derive(derived *d, size_t parameter, const double *start, double *block) {
+    double halves[STATISTICS_PAIRS][WHIRL_MAX_DERIVED], above[WHIRL_MAX_DERIVED], below[WHIRL_MAX_DERIVED];
+    const double value = d->parameters[parameter], first = d->by->difference * fabs(value) / STATISTICS_PAIRS;
+    double squares = 0.0;
+    for (size_t k = 0; k < STATISTICS_PAIRS; k++) {
+        const double h = first * (double)(k + 1);
+        whirl_status status = statistics_at(d, parameter, value + h, start, block, above);
+        if (status.code == WHIRL_OK) status = statistics_at(d, parameter, value - h, start, block, below);
+        if (status.code != WHIRL_OK) return status;
+        for (size_t i = 0; i < d->count; i++) halves[k][i] = 0.5 * (above[i] - below[i]);
+        squares += h * h;
+    }
+    for (size_t i = 0; i < d->count; i++) {
+        double product = 0.0, scatter = 0.0;
+        for (size_t k = 0; k < STATISTICS_PAIRS; k++) product += first * (double)(k + 1) * halves[k][i];
+        const double slope = product / squares;
+        for (size_t k = 0; k < STATISTICS_PAIRS; k++) {
+            const double off = halves[k][i] - slope * first * (double)(k + 1);
+            scatter += off * off;
+        }
+        const double error = statistics_student * sqrt(scatter / (STATISTICS_PAIRS - 1) / squares);
+        if (whirl_spread_period(&d->numbers[i]) == 0.0) derived_note(d, i, parameter, slope, error);
+    }
+    return whirl_ok();
+}
+
+/// Derives the numbers of a motion that is not periodic, which ends at state `end`. Its records begin there.
+static whirl_status derived_by_statistics(derived *d, const whirl_machine *machine, const double *end,
+                                          const double *block) {
+    const resting_machine here = {.machine = *machine};
+    double *other = calloc(d->layout->size + 1, sizeof *other);
+    if (!other) return whirl_fail(WHIRL_NO_MEMORY, "no memory for derivatives of a motion");
+    whirl_status status = whirl_ok();
+    derived_read(d, &here, block, d->found);
+    for (size_t p = 0; p < d->by->parameter_count && status.code == WHIRL_OK; p++) {
+        status = statistics_derive(d, p, end, other);
+        if (derived_is_missing(&status)) status = whirl_ok();
+    }
+    free(other);
+    return status;
+}
+
 whirl_status derived_of_motion(const whirl_study *study, const whirl_batch *batch, double value,
                                const whirl_machine *machine, const double *end, const whirl_layout *layout,
                                double *block) {
-    // Only a periodic motion has derivatives.
     derived d;
     if (!derived_begin(&d, study, batch, value, machine->system, layout, block)) return whirl_ok();
     const whirl_verdict verdict = whirl_block_verdict(layout, block);
+    const bool bounded = verdict.regime == WHIRL_QUASI_PERIODIC || verdict.regime == WHIRL_CHAOTIC;
+    if (bounded && d.by->difference > 0.0) return derived_by_statistics(&d, machine, end, block);
+    // Other motions have derivatives only if they are periodic.
     if (verdict.regime != WHIRL_PERIODIC || verdict.period < 1) return whirl_ok();
     // A batch with a smaller absolute tolerance than the usual 1e-9 gets orbits that are finer in the same ratio.
     const bool stiff = strcmp(batch->integrate.method, "rodas5p") == 0;

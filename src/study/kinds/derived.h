@@ -14,7 +14,8 @@ whirl_status derived_at_rest(const whirl_study *study, const whirl_batch *batch,
                              const whirl_layout *layout, double *block);
 
 /// Does the same for a motion with a periodic verdict in `block`, which ends at state `end` of the section: the orbit
-/// is found from there, with the verdict's period. Other motions get no derivatives. `value` is the point's value of
+/// is found from there, with the verdict's period. Quasi-periodic and chaotic motions get differences of records if
+/// whirl_derivatives.difference is given, and other motions no derivatives. `value` is the point's value of
 /// the batch's parameter.
 whirl_status derived_of_motion(const whirl_study *study, const whirl_batch *batch, double value,
                                const whirl_machine *machine, const double *end, const whirl_layout *layout,
