@@ -38,6 +38,7 @@ void assembly_clear(assembly *to) {
     free(to->turnings);
     free(to->weights);
     free(to->torques);
+    free(to->asides);
     free(to->links);
     free(to->holds);
     free(to->harmonics);
@@ -505,6 +506,18 @@ void assembly_unbalance(assembly *to, size_t station, double moment, double angl
     const double acceleration = assembly_stands(to) ? 0.0 : moment / (inertia_of(at) * to->length);
     to->numbers[at->place][STATION_UNBALANCE_COS] += acceleration * cos(angle);
     to->numbers[at->place][STATION_UNBALANCE_SIN] += acceleration * sin(angle);
+}
+
+void assembly_eccentric(assembly *to, size_t station, double moment, double angle, bool given) {
+    if (!assembly_is_aside(to, station)) {
+        assembly_unbalance(to, station, moment, angle);
+        return;
+    }
+    if (to->balanced || !given) return;
+    aside_unbalance *list = assembly_grow(to, to->asides, to->aside_count, &to->aside_capacity, sizeof *list);
+    if (!list) return;
+    to->asides = list;
+    to->asides[to->aside_count++] = (aside_unbalance){station, moment, angle};
 }
 
 void assembly_runout(assembly *to, size_t station, whirl_runout seen) {

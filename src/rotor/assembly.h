@@ -132,6 +132,12 @@ typedef struct twist_fatigue {
     double slope, endurance;                              ///< as in whirl_signals_damage
 } twist_fatigue;
 
+/// An unbalance of a station on a shaft of another speed than the rotor's, kg m and rad: it turns with that shaft.
+typedef struct aside_unbalance {
+    size_t station;
+    double moment, angle;
+} aside_unbalance;
+
 typedef struct assembly_station {
     const char *name;
     double mass, diametral, polar;  ///< kg, kg m2; a station with a diametral inertia tilts
@@ -210,6 +216,8 @@ typedef struct assembly {
     double cross_coupling;   ///< N/m, the sum of cross couplings, each counted once
     bool balanced;           ///< unbalance and skew are ignored
     const char *aside;       ///< station with an unbalance that turns with the rotor, on a shaft of another speed
+    size_t aside_count, aside_capacity;
+    aside_unbalance *asides; ///< [aside_count] unbalances of such stations themselves, which become elements
     bool no_memory;          ///< a term was lost
 } assembly;
 
@@ -340,6 +348,9 @@ void assembly_inertial(assembly *to, size_t x, size_t y, double moment, double a
 
 /// Adds an unbalance of `moment` (kg m) at `angle` (rad, from the x axis at tau = 0).
 void assembly_unbalance(assembly *to, size_t station, double moment, double angle);
+
+/// Adds the eccentricity of a station or disc, kg m, which turns with the shaft of its station. given: by its key.
+void assembly_eccentric(assembly *to, size_t station, double moment, double angle, bool given);
 
 /// Registers ascending frequencies of whirl [count] of a table of coefficients. Of several tables, the frequencies that
 /// all of them cover are kept. WHIRL_BAD_INPUT if they have no common range.

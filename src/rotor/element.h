@@ -164,6 +164,7 @@ typedef struct whirl_element_type {
     bool modulated;                        ///< its forces are not linear in the forcing
     size_t turning;                        ///< number of its states, from the first on, that are angles
     bool spun;                             ///< its force depends on the speed of its shaft
+    bool follows;                          ///< its force depends on the shaft of the stations of its first key
     bool slides_by_shaft;                  ///< it knows the speeds of shafts that are their own (whirl_spool)
     bool kinked;                           ///< its force has kinks without a switch
     const element_kernels *const *kernels; ///< [VECTOR_ISAS]; NULL: the element is part of the assembly only

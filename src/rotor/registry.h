@@ -50,4 +50,7 @@
 ELEMENTS(DECLARE)
 #undef DECLARE
 
+/// Builds the element `unbalance` for an unbalance of a station on a shaft of another speed, with which it turns.
+whirl_status unbalance_follow(const aside_unbalance *own, assembly *to, element *out);
+
 #endif

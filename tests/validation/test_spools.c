@@ -306,6 +306,128 @@ static void three_shafts(void **state) {
     whirl_result_free(other);
 }
 
+/// Elements at station a, which is on the shaft `main`: its own eccentricity, seals of both laws, a stage, and cracks.
+/// A black seal's fluid mass depends on the speed.
+typedef struct described {
+    const char *name, *elements;
+    double within;
+} described;
+
+static const described described_parts[] = {
+    {"eccentricity", "", 1e-9},
+    {"seal",
+     "    - seal: {at: a, clearance: 5 mm, stiffness: 2e4 N/m, damping: 120 N.s/m, mass: 2 kg, ratio: 0.45, growth: 2, "
+     "slowing: 0.4}\n",
+     1e-9},
+    {"black seal",
+     "    - seal: {at: a, law: black, clearance: 2 mm, radius: 60 mm, length: 40 mm, density: 1000 kg/m3, viscosity: 1 "
+     "mPa.s, pressure: 0.4 MPa}\n",
+     1e-7},
+    {"stage", "    - stage: {at: a, power: 2 kW, diameter: 0.4 m, width: 20 mm}\n", 1e-7},
+    {"crack", "    - crack: {between: [a, ground], stiffness: 2e5 N/m, loss: 0.5, loss_across: 0.1, angle: 25 deg}\n",
+     1e-9},
+    {"switching crack",
+     "    - crack: {between: [a, ground], stiffness: 2e5 N/m, loss: 0.5, angle: 25 deg, law: square, terms: 5}\n",
+     1e-9},
+};
+
+/// Runs a machine whose shaft `main` is the rotor's own, follows it by a ratio, or has a speed of its own; another one
+/// stands alone. main, run: keys of that shaft and of the run; speed: that of the rotor.
+static whirl_result *run_described(const char *rotor, const char *main, const char *speed, const char *elements,
+                                   const char *run) {
+    char text[SIZE];
+    snprintf(text, sizeof text,
+             "whirl: 1\n"
+             "rotor:\n"
+             "  speed: %s\n"
+             "  length_scale: 1 mm\n"
+             "%s"
+             "  shafts: {idle: {}, main: {%s}}\n"
+             "  stations:\n"
+             "    i: {shaft: idle, mass: 5 kg, damping: 90 N.s/m}\n"
+             "    a: {shaft: main, mass: 10 kg, damping: 300 N.s/m, eccentricity: 0.1 mm, eccentricity_angle: 40 deg}\n"
+             "  elements:\n"
+             "    - spring: {between: [i, ground], stiffness: 3e5 N/m}\n"
+             "    - spring: {between: [a, ground], stiffness: 4e5 N/m}\n"
+             "    - gravity: 9.81 m/s2\n"
+             "%s"
+             "study:\n"
+             "  runup: {rtol: 1e-12, rows: 20, %s}\n",
+             speed, rotor, main, elements, run);
+    return result_of_text(text);
+}
+
+/// Compares places, largest motions and speeds of station a in two runs. field: of the speed of the second run's shaft.
+static void check_described(const char *name, whirl_result *own, whirl_result *other, const char *field,
+                            double within) {
+    for (size_t axis = 0; axis < 2; axis++)
+        check_within("Spools", words("%s: %s at the end", name, axis ? "y" : "x"),
+                     first_number(own, WHIRL_FIELD_RUNUP_PLACE, 1, axis),
+                     first_number(other, WHIRL_FIELD_RUNUP_PLACE, 1, axis), within);
+    const double peak = first_number(own, WHIRL_FIELD_RUNUP_PEAK, 1, 0);
+    check_holds("Spools", words("%s: it moves", name), peak > 0.02);
+    check_within("Spools", words("%s: largest motion", name), peak, first_number(other, WHIRL_FIELD_RUNUP_PEAK, 1, 0),
+                 within);
+    if (field)
+        check_within("Spools", words("%s: speed", name), first_number(own, WHIRL_FIELD_RUNUP_END_SPEED, 0, 0),
+                     first_number(other, field, 0, 0), 1e3 * within);
+    whirl_result_free(own);
+    whirl_result_free(other);
+}
+
+/// A seal, a stage, a crack and an eccentricity turn with the shaft of their station: it makes no difference whether
+/// that is the rotor's own, one with a speed of its own, or one with a ratio; in both senses of rotation.
+static void described_otherwise(void **state) {
+    static const char by_rate[] = "speed_from: 60 rad/s, speed_to: 240 rad/s, rate: 200 rad/s2";
+    static const char own_rate[] =
+        "speed_from: 90 rad/s, speed_to: 100 rad/s, rate: 5 rad/s2, duration: 0.9 s, shafts: "
+        "{main: {speed_from: 60 rad/s, speed_to: 240 rad/s, rate: 200 rad/s2}}";
+    static const char by_ratio[] = "speed_from: 40 rad/s, speed_to: 160 rad/s, rate: 133.33333333333333 rad/s2";
+    (void)state;
+    for (size_t i = 0; i < COUNT_OF(described_parts); i++) {
+        const described *part = &described_parts[i];
+        char name[64];
+        snprintf(name, sizeof name, "%s of a second shaft", part->name);
+        check_described(name, run_described("", "", "300 rad/s", part->elements, by_rate),
+                        run_described("", "speed: 300 rad/s", "100 rad/s", part->elements, own_rate),
+                        WHIRL_FIELD_RUNUP_SHAFT_END, part->within);
+        snprintf(name, sizeof name, "%s of a second shaft, clockwise", part->name);
+        check_described(name, run_described("  rotation: clockwise\n", "", "300 rad/s", part->elements, by_rate),
+                        run_described("", "speed: -300 rad/s", "100 rad/s", part->elements, own_rate),
+                        WHIRL_FIELD_RUNUP_SHAFT_END, part->within);
+        snprintf(name, sizeof name, "%s of a geared shaft", part->name);
+        check_described(name, run_described("", "", "300 rad/s", part->elements, by_rate),
+                        run_described("", "ratio: 1.5", "200 rad/s", part->elements, by_ratio), NULL, part->within);
+        snprintf(name, sizeof name, "%s of a shaft geared against the rotor", part->name);
+        check_described(name, run_described("  rotation: clockwise\n", "", "300 rad/s", part->elements, by_rate),
+                        run_described("", "ratio: -1.5", "200 rad/s", part->elements, by_ratio), NULL, part->within);
+    }
+}
+
+/// Likewise under torques, to which the drag of seals and the weight of the eccentricity belong.
+static void described_otherwise_with_drives(void **state) {
+    static const char drive[] = "    - drive: {%sinertia: 0.4 kg.m2, torque: 90 N.m, no_load_speed: 320 rad/s}\n";
+    static const char idle[] = "    - drive: {inertia: 0.1 kg.m2, torque: 1 N.m}\n";
+    (void)state;
+    for (size_t i = 0; i < COUNT_OF(described_parts); i++)
+        for (int back = 0; back < 2; back++) {
+            const described *part = &described_parts[i];
+            char own[SIZE / 2], other[SIZE / 2], name[64];
+            snprintf(own, sizeof own, "%s", part->elements);
+            snprintf(own + strlen(own), sizeof own - strlen(own), drive, "");
+            snprintf(other, sizeof other, "%s%s", part->elements, idle);
+            snprintf(other + strlen(other), sizeof other - strlen(other), drive, "shaft: main, ");
+            snprintf(name, sizeof name, "%s with drives%s", part->name, back ? ", clockwise" : "");
+            check_described(
+                name,
+                run_described(back ? "  rotation: clockwise\n" : "", "", "300 rad/s", own,
+                              "duration: 0.8 s, speed_from: 60 rad/s"),
+                run_described("", back ? "speed: -300 rad/s" : "speed: 300 rad/s", "100 rad/s", other,
+                              "duration: 0.8 s, speed_from: 90 rad/s, shafts: {main: {speed_from: 60 rad/s}}"),
+                WHIRL_FIELD_RUNUP_SHAFT_END, 10.0 * part->within);
+        }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(two_spools_against_another_program),
@@ -313,6 +435,8 @@ int main(void) {
         cmocka_unit_test(two_spools_exchanged),
         cmocka_unit_test(a_law_that_is_a_ratio),
         cmocka_unit_test(three_shafts),
+        cmocka_unit_test(described_otherwise),
+        cmocka_unit_test(described_otherwise_with_drives),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

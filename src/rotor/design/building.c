@@ -8,6 +8,7 @@
 #include "bow.h"
 #include "mesh.h"
 #include "reduction.h"
+#include "registry.h"
 
 /// Returns the status with the name of the element that it refers to.
 static whirl_status named(const building *b, size_t index, whirl_status status) {
@@ -49,7 +50,11 @@ static whirl_status building_begin(building *b, const whirl_design *design) {
     b->assembly.spool_count = b->mesh.spool_count;
     memcpy(b->assembly.spools, b->mesh.spools, sizeof b->mesh.spools);
     for (size_t s = 0; s < design->shaft_count; s++) b->assembly.spool_of_shaft[s] = b->mesh.shafts[s].spool;
-    b->elements = calloc(design->element_count + 1, sizeof *b->elements);
+    if (status.code == WHIRL_OK) mesh_turn(&b->mesh, &b->assembly);
+    // Stations and discs on shafts of other speeds may have an unbalance each.
+    const size_t more = design->station_count + design->element_count;
+    numbers += more * unbalance_element.number_count;
+    b->elements = calloc(design->element_count + more + 1, sizeof *b->elements);
     b->numbers = calloc(numbers, sizeof *b->numbers);
     if (!b->elements || !b->numbers)
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for a rotor of %zu elements", design->element_count);
@@ -138,8 +143,8 @@ static whirl_status add_inertia(building *b) {
 static whirl_status check_aside(const building *b) {
     if (!b->assembly.aside) return whirl_ok();
     return whirl_fail(WHIRL_BAD_INPUT,
-                      "station '%s' is on a shaft of another speed, where its unbalance would turn with the rotor, "
-                      "expected the element unbalance, which turns with the shaft of its station",
+                      "station '%s' is on a shaft of another speed, and a skew, or an unbalance of a study, turns with "
+                      "the rotor, expected none there",
                       b->assembly.aside);
 }
 
@@ -153,6 +158,7 @@ static whirl_status check_spin(const building *b, const design_element *own, con
             const size_t station = own->values[k].station[i];
             if (station == GROUND || !assembly_is_aside(&b->assembly, station)) continue;
             if (own->type->slides_by_shaft && b->assembly.stations[station].spool) continue;
+            if (own->type->follows && k == 0) continue;
             return whirl_fail(WHIRL_BAD_INPUT,
                               "acts at station '%s' on a shaft of another speed, and its force depends on the "
                               "rotor's speed",
@@ -188,6 +194,24 @@ static whirl_status add_replaced(building *b, const design_element *own) {
     return status.code == WHIRL_OK ? add_springs(b, ring, house, 2.0 * stiffness) : status;
 }
 
+/// Begins the next element. Its numbers and states follow those of earlier ones.
+static element *element_begin(building *b, const element_type *type) {
+    element *own = &b->elements[b->element_count];
+    *own = (element){.type = type, .number = b->numbers + b->number_count};
+    own->state = b->assembly.degrees + b->state_count;
+    own->states = STATES_OF_TYPE;
+    for (size_t port = 0; port < MAX_PORTS; port++) own->port[port] = NO_COORDINATE, own->share[port] = 1.0;
+    return own;
+}
+
+/// Keeps an element that is built.
+static void element_add(building *b, element *own) {
+    if (own->states == STATES_OF_TYPE) own->states = own->type->state_count;
+    b->number_count += own->type->number_count;
+    b->state_count += own->states;
+    b->element_count++;
+}
+
 /// Builds the elements of one type, in the order of the design.
 static whirl_status add_elements(building *b, const element_type *type) {
     whirl_status status = whirl_ok();
@@ -199,20 +223,24 @@ static whirl_status add_elements(building *b, const element_type *type) {
             status = with_element(b, i, add_replaced(b, &b->design->elements[i]));
             continue;
         }
-        // Let the type build its instance. Its numbers and states follow those of earlier instances.
-        *own = (element){.type = type, .number = b->numbers + b->number_count};
-        own->state = b->assembly.degrees + b->state_count;
-        own->states = STATES_OF_TYPE;
-        for (size_t port = 0; port < MAX_PORTS; port++) own->port[port] = NO_COORDINATE, own->share[port] = 1.0;
+        // Let the type build its instance.
+        element_begin(b, type);
         status = type->build(b->design->elements[i].values, &b->assembly, own);
-        if (own->states == STATES_OF_TYPE) own->states = own->type->state_count;
         if (status.code == WHIRL_OK) status = check_spin(b, &b->design->elements[i], own);
         status = with_element(b, i, status);
         // Lumped elements have added all their effects to the matrices.
-        if (!type->kernels || own->lumped) continue;
-        b->number_count += own->type->number_count;
-        b->state_count += own->states;
-        b->element_count++;
+        if (type->kernels && !own->lumped) element_add(b, own);
+    }
+    return status;
+}
+
+/// Adds the eccentricities of stations and discs on shafts of other speeds as unbalances that turn with these.
+static whirl_status add_asides(building *b) {
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < b->assembly.aside_count && status.code == WHIRL_OK; i++) {
+        element *own = element_begin(b, &unbalance_element);
+        status = unbalance_follow(&b->assembly.asides[i], &b->assembly, own);
+        if (status.code == WHIRL_OK) element_add(b, own);
     }
     return status;
 }
@@ -237,6 +265,7 @@ whirl_status building_assemble(building *b, const whirl_design *design, const si
     if (status.code == WHIRL_OK) status = bow_build(&b->mesh, design, &b->assembly);
     for (size_t i = 0; i < design->type_count && status.code == WHIRL_OK; i++)
         status = add_elements(b, design->types[i]);
+    if (status.code == WHIRL_OK && b->problems == 0) status = add_asides(b);
     if (status.code == WHIRL_OK) assembly_weigh(&b->assembly);
     b->assembly.balanced = false;
     for (size_t i = 0; i < design->placed_count && status.code == WHIRL_OK; i++)

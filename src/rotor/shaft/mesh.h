@@ -36,6 +36,9 @@ typedef struct mesh {
 whirl_status mesh_make(const whirl_design *design, mesh *out, size_t *culprit);
 void mesh_clear(mesh *of);
 
+/// Sets the speeds of the stations and nodes of shafts.
+void mesh_turn(const mesh *from, assembly *to);
+
 /// Adds the nodes' inertia to an assembly, and where they move. The assembly's stations are those of the design and
 /// `hidden` more.
 void mesh_inertia(const mesh *from, assembly *to);

@@ -4,27 +4,33 @@
 
 #include "mesh.h"
 
+/// Sets the speed of a station by its shaft.
+static void mesh_turn_station(const mesh *from, size_t shaft, assembly_station *at) {
+    at->ratio = from->shafts[shaft].ratio;
+    at->spool = from->shafts[shaft].spool;
+    at->carrier = shaft + 1;
+}
+
+void mesh_turn(const mesh *from, assembly *to) {
+    for (size_t i = 0; i < from->node_count; i++)
+        mesh_turn_station(from, from->nodes[i].shaft, &to->stations[from->nodes[i].station]);
+    // Stations of shafts without segments have only the speed of their shaft.
+    for (size_t s = 0; s < to->station_count - from->hidden; s++) {
+        if (from->lumped[s] == NO_SHAFT) continue;
+        to->stations[s].lumped = true;
+        mesh_turn_station(from, from->lumped[s], &to->stations[s]);
+    }
+}
+
 void mesh_inertia(const mesh *from, assembly *to) {
     // Set the positions of stations on shafts.
     for (size_t i = 0; i < from->node_count; i++) {
         assembly_station *at = &to->stations[from->nodes[i].station];
         at->shaft = from->nodes[i].shaft;
         at->position = from->nodes[i].z;
-        at->ratio = from->shafts[at->shaft].ratio;
-        at->carrier = at->shaft + 1;
-        at->spool = from->shafts[at->shaft].spool;
         at->hidden = !at->name;
         at->twists = at->twists || from->shafts[at->shaft].twists;
         at->axial = at->axial || from->shafts[at->shaft].axial;
-    }
-    // Stations of shafts without segments have only the speed of their shaft.
-    for (size_t s = 0; s < to->station_count - from->hidden; s++) {
-        const size_t shaft = from->lumped[s];
-        if (shaft == NO_SHAFT) continue;
-        to->stations[s].lumped = true;
-        to->stations[s].carrier = shaft + 1;
-        to->stations[s].ratio = from->shafts[shaft].ratio;
-        to->stations[s].spool = from->shafts[shaft].spool;
     }
     // Add the inertia of pieces at both ends.
     for (size_t i = 0; i < from->piece_count; i++) {

@@ -50,6 +50,13 @@ static whirl_status unbalance_build(const key_value *values, assembly *to, eleme
     return whirl_ok();
 }
 
+whirl_status unbalance_follow(const aside_unbalance *own, assembly *to, element *out) {
+    const key_value values[KEY_COUNT] = {[AT] = {.given = true, .station = {own->station}},
+                                         [MOMENT] = {.given = true, .number = own->moment},
+                                         [ANGLE] = {.given = true, .number = own->angle}};
+    return unbalance_build(values, to, out);
+}
+
 /// Computes the lever as element_type.lever: the force is U phi'^2 n(phi) - U phi'' dn/dphi, with the phase phi whose
 /// rate is a constant ratio of the shaft's speed.
 static double unbalance_lever(const element *own, double speed, const double *states, double lever[2]) {

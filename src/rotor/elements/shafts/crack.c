@@ -6,19 +6,8 @@
 #define KERNEL_SWITCHES 0
 #define KERNEL_PHASED 1
 
-/// Numbers: k, k (d1 + d2)/2 and k (d1 - d2)/2 in newtons per length scale; at tau = 0 cosine and sine of twice the
-/// angle of the first axis, and of its angle from the load.
-enum {
-    CRACK_STIFFNESS,
-    CRACK_MEAN_LOSS,
-    CRACK_HALF_LOSS,
-    CRACK_AXIS_COS,
-    CRACK_AXIS_SIN,
-    CRACK_LOAD_COS,
-    CRACK_LOAD_SIN,
-    CRACK_NUMBERS
-};
-
+#include "crack_parts.h"
+#include "elements/loads/harmonic.h"
 #include "generic.h"
 #include "registry.h"
 
@@ -54,6 +43,23 @@ static const whirl_key keys[KEY_COUNT] = {
                         "terms of the square wave, of the orders 1, 3, ... 2n - 1"),
 };
 
+/// Turns the crack with the shaft of its stations if that has another speed than the rotor: its phase is then a state,
+/// as that of an unbalance there.
+static whirl_status crack_turn(const key_value *at, const assembly *to, element *out) {
+    const size_t first = at->station[at->station[0] == GROUND], last = at->station[at->station[1] != GROUND];
+    const assembly_station *one = &to->stations[first], *other = &to->stations[last];
+    if (one->ratio != other->ratio || one->spool != other->spool)
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "joins stations '%s' and '%s', whose shafts turn at speeds of their own, expected one shaft",
+                          one->name, other->name);
+    if (!assembly_is_aside(to, first)) return whirl_ok();
+    const whirl_status status = harmonic_check_rate(to, one->ratio);
+    out->type = &crack_turning;
+    out->spool = one->spool;
+    out->number[CRACK_RATE] = one->ratio * to->turn;
+    return status;
+}
+
 static whirl_status crack_build(const key_value *values, assembly *to, element *out) {
     static const axis axes[KERNEL_AXES] = {AXIS_X, AXIS_Y};
     const double stiffness = values[STIFFNESS].number * to->length;
@@ -65,6 +71,8 @@ static whirl_status crack_build(const key_value *values, assembly *to, element *
     whirl_status status = element_beside_none(&values[BETWEEN], to);
     if (status.code == WHIRL_OK) status = element_between(&values[BETWEEN], to, axes, KERNEL_AXES, out);
     if (status.code != WHIRL_OK) return status;
+    status = crack_turn(&values[BETWEEN], to, out);
+    if (status.code != WHIRL_OK) return status;
     out->law = square ? (int)values[TERMS].number : 0;
     out->number[CRACK_STIFFNESS] = stiffness;
     out->number[CRACK_MEAN_LOSS] = stiffness * 0.5 * (loss + across);
@@ -73,23 +81,11 @@ static whirl_status crack_build(const key_value *values, assembly *to, element *
     out->number[CRACK_AXIS_SIN] = sin(2.0 * angle);
     out->number[CRACK_LOAD_COS] = cos(angle - values[OPENS].number);
     out->number[CRACK_LOAD_SIN] = sin(angle - values[OPENS].number);
-    generic_scale(out, to, 1.0);
+    if (out->type == &crack_turning)
+        crack_turning_scale(out, to);
+    else
+        generic_scale(out, to, 1.0);
     return whirl_ok();
-}
-
-/// Describes the range of the law, for a shaft end held by the ground: the weight alone must decide whether the crack
-/// is open.
-static bool crack_range(const element *own, size_t index, const element_seen *seen, element_range *out) {
-    double sag[KERNEL_AXES], swing[KERNEL_AXES];
-    (void)own;
-    for (int a = 0; a < KERNEL_AXES; a++) {
-        sag[a] = 0.5 * (seen->low[a] + seen->high[a] + seen->low[KERNEL_AXES + a] + seen->high[KERNEL_AXES + a]);
-        swing[a] = 0.5 * (seen->high[a] - seen->low[a] + seen->high[KERNEL_AXES + a] - seen->low[KERNEL_AXES + a]);
-    }
-    const double reached = hypot(swing[0], swing[1]) / hypot(sag[0], sag[1]);
-    *out = (element_range){"vibration over sag", "1", "at which it no longer opens by its weight alone", 1.0, reached};
-    if (isnan(seen->radius)) out->reached = NAN;
-    return index == 0;
 }
 
 KERNELS_OF_EVERY_ISA(crack_kernels);
@@ -98,6 +94,8 @@ const element_type crack_element = {
     .group = {"crack", "a massless shaft with a crack that opens and closes as its weight turns past it",
               "Mayes & Davies 1984; Gasch 1993", keys, KEY_COUNT, NULL, NULL},
     .spun = true,
+    .follows = true,
+    .variant = &crack_turning,
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .modulated = true,
     .kernels = kernels,

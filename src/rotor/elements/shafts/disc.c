@@ -41,8 +41,8 @@ static whirl_status disc_inertia(const key_value *values, assembly *to) {
 
 static whirl_status disc_build(const key_value *values, assembly *to, element *out) {
     (void)out;
-    assembly_unbalance(to, values[AT].station[0], mass_of(values) * values[ECCENTRICITY].number,
-                       values[ECCENTRICITY_ANGLE].number);
+    assembly_eccentric(to, values[AT].station[0], mass_of(values) * values[ECCENTRICITY].number,
+                       values[ECCENTRICITY_ANGLE].number, values[ECCENTRICITY].given);
     return whirl_ok();
 }
 

@@ -7,7 +7,8 @@ enum { AT, POWER, DIAMETER, WIDTH, DENSITY_RATIO, FACTOR, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
     [AT] = STATION_KEY("at", REQUIRED, "station of the impeller"),
-    [POWER] = NUMBER_KEY("power", "P", "W", REQUIRED, WHIRL_NOT_NEGATIVE, "power of the stage at the rotor's speed"),
+    [POWER] =
+        NUMBER_KEY("power", "P", "W", REQUIRED, WHIRL_NOT_NEGATIVE, "power of the stage at the speed of its shaft"),
     [DIAMETER] = NUMBER_KEY("diameter", "D", "m", REQUIRED, WHIRL_POSITIVE, "outer diameter of the impeller"),
     [WIDTH] =
         NUMBER_KEY("width", "H", "m", REQUIRED, WHIRL_POSITIVE,
@@ -19,11 +20,14 @@ static const whirl_key keys[KEY_COUNT] = {
 };
 
 static whirl_status stage_build(const key_value *values, assembly *to, element *out) {
-    if (to->speed == 0.0)
+    // The torque is that of the shaft of its station.
+    const double ratio = to->stations[values[AT].station[0]].ratio;
+    const double speed = ratio == 1.0 ? to->speed : fabs(ratio) * to->speed;
+    if (speed == 0.0)
         return whirl_fail(WHIRL_BAD_INPUT, "has no torque where the rotor stands still, expected a speed above 0");
     const double own = values[FACTOR].number * values[POWER].number * values[DENSITY_RATIO].number /
-                       (to->speed * values[DIAMETER].number * values[WIDTH].number);
-    const double forward = to->stages * own * (to->turn < 0.0 ? -1.0 : 1.0);
+                       (speed * values[DIAMETER].number * values[WIDTH].number);
+    const double forward = to->stages * own * (ratio * to->turn < 0.0 ? -1.0 : 1.0);
     const whirl_status status = assembly_find_plane(to, values[AT].station[0], out->port);
     if (status.code != WHIRL_OK) return status;
     to->cross_coupling += own;
@@ -38,6 +42,7 @@ const element_type stage_element = {
               keys, KEY_COUNT, NULL, NULL},
     .drags = true,
     .spun = true,
+    .follows = true,
     .build = stage_build,
 };
 #endif

@@ -85,8 +85,8 @@ void station_build(const key_value *values, assembly *to, size_t station) {
     const assembly_station *at = &to->stations[station];
     const double moment = (at->diametral - at->polar) * to->speed * to->speed * values[SKEW].number;
     assembly_ground_damping(to, station, values[DAMPING].number);
-    assembly_unbalance(to, station, values[MASS].number * values[ECCENTRICITY].number,
-                       values[ECCENTRICITY_ANGLE].number);
+    assembly_eccentric(to, station, values[MASS].number * values[ECCENTRICITY].number,
+                       values[ECCENTRICITY_ANGLE].number, values[ECCENTRICITY].given);
     if (at->coordinate[AXIS_TILT_X] == NO_COORDINATE) return;
     assembly_gyroscopic(to, station, at->polar);
     if (to->balanced) return;

@@ -6,7 +6,8 @@
 #define KERNEL_SWITCHES 0
 
 /// Numbers: K_0, D_0 and m_f in newtons per length scale and radian; 1/c^2 in length scales; lambda_0 by tau, n and b;
-/// the torque of the shear on the shaft, N m (0: unknown), which kernels do not read.
+/// the torque of the shear on the shaft, N m (0: unknown), and lambda_0 by the shaft's own speed, which kernels do not
+/// read.
 enum {
     SEAL_STIFFNESS,
     SEAL_DAMPING,
@@ -16,6 +17,7 @@ enum {
     SEAL_GROWTH,
     SEAL_SLOWING,
     SEAL_SHEAR,
+    SEAL_SHARE,
     SEAL_NUMBERS
 };
 
@@ -110,6 +112,12 @@ static black_coefficients middle_of(const key_value *values, double speed) {
                                 .ratio = values[RATIO].number};
 }
 
+/// Returns the speed of the shaft in the seal, rad/s, without its sense.
+static double seal_speed(const key_value *values, const assembly *to) {
+    const double ratio = to->stations[values[AT].station[0]].ratio;
+    return ratio == 1.0 ? to->speed : fabs(ratio) * to->speed;
+}
+
 /// Checks that the keys of the seal's law are given, and no keys of the other law.
 static whirl_status check_law(const key_value *values) {
     const bool black = values[LAW].choice;
@@ -133,7 +141,7 @@ static whirl_status check_law(const key_value *values) {
 static whirl_status seal_inertia(const key_value *values, assembly *to) {
     const whirl_status status = check_law(values);
     if (status.code == WHIRL_OK && !values[FROM].given)
-        to->stations[values[AT].station[0]].fluid += middle_of(values, to->speed).mass;
+        to->stations[values[AT].station[0]].fluid += middle_of(values, seal_speed(values, to)).mass;
     return status;
 }
 
@@ -141,7 +149,8 @@ static whirl_status seal_build(const key_value *values, assembly *to, element *o
     const double clearance = values[CLEARANCE].number / to->length;
     const whirl_status status = element_in_housing(&values[AT], &values[FROM], to, out);
     if (status.code != WHIRL_OK) return status;
-    const black_coefficients middle = middle_of(values, to->speed);
+    const assembly_station *const at = &to->stations[values[AT].station[0]];
+    const black_coefficients middle = middle_of(values, seal_speed(values, to));
     out->law = (values[LAW].choice ? SEAL_BLACK : 0) | (values[GROWTH].given ? SEAL_GROWS : 0) |
                (values[SLOWING].given ? SEAL_SLOWS : 0);
     for (size_t a = 0; a < KERNEL_AXES && values[FROM].given; a++)
@@ -150,12 +159,15 @@ static whirl_status seal_build(const key_value *values, assembly *to, element *o
     out->number[SEAL_DAMPING] = middle.damping * to->clock * to->length;
     out->number[SEAL_MASS] = middle.mass * to->clock * to->clock * to->length;
     out->number[SEAL_OVER_CLEARANCE_SQUARE] = 1.0 / (clearance * clearance);
-    out->number[SEAL_RATIO] = middle.ratio * to->turn;
+    out->number[SEAL_RATIO] = middle.ratio * at->ratio * to->turn;
     out->number[SEAL_GROWTH] = values[GROWTH].number;
     out->number[SEAL_SLOWING] = values[SLOWING].number;
     out->number[SEAL_SHEAR] = middle.shear;
-    out->fluid = (fluid_drag){
-        .shear = middle.shear, .turns = {1.0, 0.0}, .housing = values[FROM].given ? values[FROM].station[0] : GROUND};
+    out->number[SEAL_SHARE] = middle.ratio;
+    out->fluid = (fluid_drag){.shear = middle.shear,
+                              .turns = {at->ratio, 0.0},
+                              .spool = {at->spool, 0},
+                              .housing = values[FROM].given ? values[FROM].station[0] : GROUND};
     generic_scale(out, to, 1.0);
     return whirl_ok();
 }
@@ -198,7 +210,7 @@ static void seal_note(const element *own, double length, double clock, char *tex
         text, size,
         "in the fluid K %.5g N/m, C %.5g N s/m, M %.4g kg, which turns at %.4g of the shaft's speed: kxx %.5g N/m, "
         "kxy %.5g N/m, cxx %.5g N s/m, cxy %.5g N s/m",
-        K, C, M, fabs(number[SEAL_RATIO]), K - M * turn * turn, C * turn, C, 2.0 * M * turn);
+        K, C, M, fabs(number[SEAL_SHARE]), K - M * turn * turn, C * turn, C, 2.0 * M * turn);
 }
 
 /// Implements element_type.drag: the shear, and the couple that turns the fluid at lambda times the shaft's speed.
@@ -206,10 +218,10 @@ static void seal_drag(const element *own, const drag_view *in, double torque[2])
     const double *number = own->number;
     const double share = in->distance / in->length * sqrt(number[SEAL_OVER_CLEARANCE_SQUARE]);
     const double slower = number[SEAL_SLOWING] > 0.0 ? pow(1.0 - share, number[SEAL_SLOWING]) : 1.0;
-    const double ratio = fabs(number[SEAL_RATIO]) * slower;
+    const double ratio = number[SEAL_SHARE] * slower, shear = copysign(number[SEAL_SHEAR], in->spin[0]);
     const double couple = in->place[0] * in->force[1] - in->place[1] * in->force[0];
-    torque[0] = -number[SEAL_SHEAR] - ratio * couple;
-    torque[1] = number[SEAL_SHEAR] - (1.0 - ratio) * couple;
+    torque[0] = -shear - ratio * couple;
+    torque[1] = shear - (1.0 - ratio) * couple;
 }
 
 static double seal_clearance(const element *own) {
@@ -232,6 +244,7 @@ const element_type seal_element = {
     .group = {"seal", "an annular seal or lightly loaded bearing whose fluid turns with the shaft",
               "Muszynska 1988; Bently & Muszynska 1988", keys, KEY_COUNT, NULL, NULL},
     .spun = true,
+    .follows = true,
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .kernels = kernels,
     .inertia = seal_inertia,
