@@ -62,8 +62,8 @@ typedef struct whirl_probe {
 /// A motion of a station besides x and y, for which it has a probe more: its displacement along the shaft, or the twist
 /// of a station that also moves otherwise.
 typedef struct whirl_extra {
-    size_t station;
-    bool twists; ///< the motion is the twist; otherwise the axial displacement
+    size_t station; ///< index of the station
+    bool twists;    ///< the motion is the twist; otherwise the axial displacement
 } whirl_extra;
 
 /// Returns true if the probe measures displacements along x (which: 0) or y (1).
