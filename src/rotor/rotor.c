@@ -166,6 +166,10 @@ static void add_probes(whirl_rotor *rotor, const building *b) {
                                          .twists = !along_x && !along_y,
                                          .clockwise = b->assembly.turn < 0.0};
         strcpy(rotor->probes[s].name, b->assembly.stations[s].name);
+        // The twist of a station behind a rigid gear is a multiple of its coordinate.
+        const double share = rotor->probes[s].twists ? assembly_share(&b->assembly, s, AXIS_TWIST) : 1.0;
+        for (size_t nth = 0; nth < 4 && share != 1.0; nth++) rotor->radians[s][nth] = share;
+        if (share != 1.0) rotor->probes[s].units = rotor->radians[s];
     }
     // Set the positions on shafts of finite elements.
     for (size_t i = 0; i < b->mesh.node_count; i++) {

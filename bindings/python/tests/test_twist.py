@@ -145,6 +145,19 @@ def test_rigid_gears():
     assert abs(largest + 2.5 * table["orbit/twist"][0, 0, 1]) < 1e-14
 
 
+def test_rigid_gears_that_only_twist():
+    """So it is where both stations move no other way: their twists are displacements 1 m from the axis."""
+    text = RIGID.replace("moves: all", "moves: twist").replace("damping: 500 N.s/m, ", "")
+    text = text.replace("mass: 20 kg, ", "").replace("mass: 8 kg, ", "")
+    text = "\n".join(line for line in text.split("\n") if "ground], stiffness: 5e6" not in line)
+    both, only = run(RIGID, "")["sweep"], run(text, "")["sweep"]
+    wave = both["waveform/twist"][0]
+    assert np.abs(2e-4 * only["waveform/samples"][0, :, :, 0] - wave).max() < 1e-10
+    for field, column in (("orbit/low", 1), ("orbit/high", 2)):
+        assert np.abs(2e-4 * only[field][0, :, 0] - both["orbit/twist"][0, :, column]).max() < 1e-10
+    assert np.abs(2e-4 * only["spectrum/synchronous"][0, :, 0] - both["spectrum/twist_synchronous"][0]).max() < 1e-10
+
+
 STOP = "    - spring: {between: [a, ground], along: twist, gap_angle: 0.3 deg, stiffness: 5000}\n"
 
 

@@ -52,8 +52,8 @@ size_t rows_of_axial(const block_shape *shape);
 /// Returns likewise the rows of a field of the twists of stations that also move otherwise.
 size_t rows_of_twist(const block_shape *shape);
 
-/// Writes the least and largest value of a probe besides those of stations over bounds of the state [dimension].
-void extra_bounds(const whirl_probe *probe, const double *low, const double *high, double out[2]);
+/// Writes the least and largest x or y (axis: 0 or 1) that a probe reports over bounds of the state [dimension].
+void probe_bounds(const whirl_probe *probe, const double *low, const double *high, size_t axis, double out[2]);
 
 /// Returns the numbers [rows][columns] of a field for a station or contact (0 for fields of the point), or NULL if the
 /// field was left out.

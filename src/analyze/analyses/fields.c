@@ -24,9 +24,9 @@ size_t rows_of_twist(const block_shape *shape) {
     return shape->also_twists ? 1 : 0;
 }
 
-void extra_bounds(const whirl_probe *probe, const double *low, const double *high, double out[2]) {
+void probe_bounds(const whirl_probe *probe, const double *low, const double *high, size_t axis, double out[2]) {
     // A station that a gear turns the other way has a unit below 0.
-    const double ends[2] = {whirl_probe_value(probe, low, 0), whirl_probe_value(probe, high, 0)};
+    const double ends[2] = {whirl_probe_value(probe, low, axis), whirl_probe_value(probe, high, axis)};
     out[0] = ends[0] <= ends[1] ? ends[0] : ends[1];
     out[1] = ends[0] <= ends[1] ? ends[1] : ends[0];
 }

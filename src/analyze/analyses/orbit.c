@@ -42,8 +42,10 @@ static whirl_status orbit_compute(const whirl_record *record, const whirl_record
         WHIRL_WATCHED_OF_STATIONS(WATCHED_FILL)
         *view_numbers(view, ECCENTRICITY, which) = probe->clearance > 0.0 ? radius / probe->clearance : NAN;
         for (size_t c = 0; c < 2; c++) {
-            view_numbers(view, LOW, which)[c] = whirl_probe_value(probe, record->low, c);
-            view_numbers(view, HIGH, which)[c] = whirl_probe_value(probe, record->high, c);
+            double bounds[2];
+            probe_bounds(probe, record->low, record->high, c, bounds);
+            view_numbers(view, LOW, which)[c] = bounds[0];
+            view_numbers(view, HIGH, which)[c] = bounds[1];
         }
         if (orbit_rests(view_numbers(view, LOW, which), view_numbers(view, HIGH, which), radius))
             *view_numbers(view, WATCHED_backward, which) = NAN;
@@ -53,7 +55,7 @@ static whirl_status orbit_compute(const whirl_record *record, const whirl_record
         const size_t which = record->probe_count + i;
         double *out = view_numbers(view, record->extras[i].twists ? TWIST : AXIAL, record->extras[i].station);
         out[0] = record->mean[2 * which];
-        extra_bounds(&record->probes[which], record->low, record->high, out + 1);
+        probe_bounds(&record->probes[which], record->low, record->high, 0, out + 1);
     }
     return whirl_ok();
 }

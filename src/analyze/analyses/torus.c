@@ -159,14 +159,16 @@ static void put_station(const block_view *view, const whirl_torus_trace *trace, 
     for (size_t c = 0; c < 2; c++) {
         view_numbers(view, FREQUENCY, which)[c] =
             whirl_probe_sees(probe, c) ? seen->frequency[c ? probe->y : probe->x] : 0.0;
-        view_numbers(view, AMPLITUDE, which)[c] = whirl_probe_value(probe, seen->amplitude, c);
-        view_numbers(view, LOW, which)[c] = whirl_probe_value(probe, seen->low, c);
-        view_numbers(view, HIGH, which)[c] = whirl_probe_value(probe, seen->high, c);
+        view_numbers(view, AMPLITUDE, which)[c] = fabs(whirl_probe_value(probe, seen->amplitude, c));
+        double bounds[2];
+        probe_bounds(probe, seen->low, seen->high, c, bounds);
+        view_numbers(view, LOW, which)[c] = bounds[0];
+        view_numbers(view, HIGH, which)[c] = bounds[1];
         for (size_t k = 0; k < torus->revolutions; k++) {
-            view_numbers(view, SECTION_LOW, which)[2 * k + c] =
-                whirl_probe_value(probe, seen->section_low + k * seen->dimension, c);
-            view_numbers(view, SECTION_HIGH, which)[2 * k + c] =
-                whirl_probe_value(probe, seen->section_high + k * seen->dimension, c);
+            const size_t row = k * seen->dimension;
+            probe_bounds(probe, seen->section_low + row, seen->section_high + row, c, bounds);
+            view_numbers(view, SECTION_LOW, which)[2 * k + c] = bounds[0];
+            view_numbers(view, SECTION_HIGH, which)[2 * k + c] = bounds[1];
         }
     }
 }
@@ -174,7 +176,7 @@ static void put_station(const block_view *view, const whirl_torus_trace *trace, 
 /// Writes the bounds of the axial displacements and twists.
 static void put_extras(const block_view *view, const whirl_system *system, const double *low, const double *high) {
     for (size_t i = 0; i < system->extra_count; i++)
-        extra_bounds(&system->probes[system->probe_count + i], low, high,
+        probe_bounds(&system->probes[system->probe_count + i], low, high, 0,
                      view_numbers(view, system->extras[i].twists ? TWIST : AXIAL, system->extras[i].station));
 }
 

@@ -136,15 +136,17 @@ static void put_station(const block_view *view, const whirl_system *system, cons
         for (size_t c = 0; c < 4; c++) *out++ = whirl_probe_value(probe, state, c);
     }
     for (size_t c = 0; c < 2; c++) {
-        view_numbers(view, LOW, which)[c] = whirl_probe_value(probe, orbit->low, c);
-        view_numbers(view, HIGH, which)[c] = whirl_probe_value(probe, orbit->high, c);
+        double bounds[2];
+        probe_bounds(probe, orbit->low, orbit->high, c, bounds);
+        view_numbers(view, LOW, which)[c] = bounds[0];
+        view_numbers(view, HIGH, which)[c] = bounds[1];
     }
 }
 
 /// Writes the bounds of the axial displacements and twists.
 static void put_extras(const block_view *view, const whirl_system *system, const double *low, const double *high) {
     for (size_t i = 0; i < system->extra_count; i++)
-        extra_bounds(&system->probes[system->probe_count + i], low, high,
+        probe_bounds(&system->probes[system->probe_count + i], low, high, 0,
                      view_numbers(view, system->extras[i].twists ? TWIST : AXIAL, system->extras[i].station));
 }
 
