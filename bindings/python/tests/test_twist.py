@@ -300,6 +300,16 @@ def test_derivatives_of_twists():
     assert np.allclose(slopes, [size, size, lag], rtol=1e-5)
 
 
+def test_usual_numbers_of_tolerances(tmp_path):
+    """Without a choice, tolerances show the twists of stations that twist, and of no others."""
+    text = MACHINE.replace("{n: 95 rad/s}", "{n: 95 rad/s, k: 2000}").replace("stiffness: 2000", "stiffness: = k")
+    study = SWEEP + "  tolerances: {samples: 64, parameters: {k: 2000 +- 5 %}}\n"
+    made = tmp_path / "spread.h5"
+    run(text, study, method="dop853").save(made)
+    shown = subprocess.run([COMMAND, "show", made], capture_output=True, check=True, text=True).stdout
+    assert "Spread of largest twist at a" in shown and "twist at b" not in shown
+
+
 def test_documents(tmp_path):
     """The command shows twists in summaries, JSON and figures."""
     sweep = tmp_path / "sweep.h5"

@@ -521,6 +521,16 @@ const char *whirl_result_tolerance(const whirl_result *result, size_t index, cha
     return name;
 }
 
+/// Returns true if a usual number is that of an axial displacement or twist at a station that never moves so.
+static bool asked_lacks(const whirl_table *table, const whirl_spread_of *of, size_t which) {
+    if (!strstr(of->field, "axial") && !strstr(of->field, "twist")) return false;
+    for (size_t point = 0; point < table->count; point++) {
+        const double *number = whirl_table_field(table, point, of->field, which);
+        if (number && !isnan(*number)) return false;
+    }
+    return true;
+}
+
 /// Gives the numbers that facts ("limit 1", ...) ask of a table, or the usual ones, by index.
 static bool asked_number(const whirl_result *result, const whirl_table *table, const char *asks, bool derived,
                          size_t index, whirl_spread_of *of) {
@@ -536,14 +546,18 @@ static bool asked_number(const whirl_result *result, const whirl_table *table, c
         if (!find_in_result(result, table, of, &at, &status) && index-- == 0) return true;
     }
     // Without any, count the usual fields of each station or contact.
-    size_t which;
-    if (!spread_usual(&table->layout, derived, index, of, &which)) return false;
-    const whirl_extent extent = whirl_layout_field(&table->layout, of->field)->extent;
-    if (extent == WHIRL_PER_STATION && which < result->station_count)
-        snprintf(of->at, sizeof of->at, "%s", result->stations[which].name);
-    else if (extent == WHIRL_PER_CONTACT && which < result->contact_count)
-        snprintf(of->at, sizeof of->at, "%s", result->contacts[which]);
-    return true;
+    for (size_t i = 0;; i++) {
+        size_t which;
+        if (!spread_usual(&table->layout, derived, i, of, &which)) return false;
+        const whirl_extent extent = whirl_layout_field(&table->layout, of->field)->extent;
+        if (extent == WHIRL_PER_STATION && which < result->station_count)
+            snprintf(of->at, sizeof of->at, "%s", result->stations[which].name);
+        else if (extent == WHIRL_PER_CONTACT && which < result->contact_count)
+            snprintf(of->at, sizeof of->at, "%s", result->contacts[which]);
+        // Derivatives are stored by the indices of all usual numbers.
+        if (!derived && asked_lacks(table, of, which)) continue;
+        if (index-- == 0) return true;
+    }
 }
 
 bool whirl_table_asked(const whirl_result *result, const whirl_table *table, size_t index, whirl_spread_of *of) {
