@@ -19,9 +19,12 @@ typedef struct lanes_view {
     const void *forcing;  ///< [forcing_count]
     const void *sides;    ///< [switch_count] -1 or +1, as whirl_system.rhs_on_sides takes them; NULL: the state decides
     size_t tangents;      ///< perturbations that follow the state
-    const void *q, *v;    ///< [1 + tangents][degrees] and [degrees + states] of the state, then of the perturbations
-    void *a;              ///< [1 + tangents][degrees + states]
-    void *divergence;     ///< one quantity: trace of the Jacobian; NULL: not requested
+    size_t rates;         ///< rows of v and a for the state and each perturbation; 0: degrees + states of the model
+    const size_t *columns; ///< [degrees + rates] number, from 0, of the perturbation that is 1 in each coordinate; each
+                           ///< perturbation is 0 in all other coordinates. NULL: perturbations are any vectors
+    const void *q, *v;     ///< [1 + tangents][degrees] and [degrees + states] of the state, then of the perturbations
+    void *a;               ///< [1 + tangents][degrees + states]
+    void *divergence;      ///< one quantity: trace of the Jacobian; NULL: not requested
 } lanes_view;
 
 /// Writes the accelerations of the state and those of the perturbations by the Jacobian, with the slopes of the states

@@ -64,7 +64,7 @@ typedef struct rodas5p_work {
     double *unit_q, *unit_v;       ///< [1 + perturbations][degrees], [rates] the state, then the perturbations that
                                    ///< find the Jacobian: sums of unit perturbations
     double *by;                    ///< [1 + perturbations][rates] slope, then sums of columns of the Jacobian
-    double *matrix;                ///< [rates][rates] rows, decomposed
+    double *matrix;                ///< [rates][rates] rows, decomposed; dense: both factors and a column
     double *pivot;                 ///< [rates] reciprocals
     double *doubtful;              ///< 1 if a pivot is too small
     double *shift;                 ///< 1/(gamma h)

@@ -88,7 +88,8 @@ adaptive_lanes *adaptive_lanes_make(const adaptive_lanes *shape) {
     *lanes = *shape;
     // Find the sparsity of the Jacobian, for an implicit method.
     if (lanes->method->implicit)
-        lanes->rodas5p.sparsity = sparsity_new(lanes->degrees, lanes->rates, lanes->depends, lanes->model);
+        lanes->rodas5p.sparsity =
+            sparsity_new(lanes->degrees, lanes->rates, lanes->depends, lanes->model, lanes->slots == 1);
     if (lanes->method->implicit && !lanes->rodas5p.sparsity) {
         adaptive_lanes_free(lanes);
         return NULL;

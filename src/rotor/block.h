@@ -11,6 +11,9 @@
 typedef struct block {
     size_t stride, vectors;
     size_t perturbations;
+    /// Number, from 0, of the perturbation that is 1 in each position, and in each velocity or state; perturbations are
+    /// 0 elsewhere. NULL: they are any vectors.
+    const size_t *unit_q, *unit_v;
     size_t next, next_v; ///< distances, in vectors, from the displacements of one state or perturbation to those of the
                          ///< next (in q), and likewise for the other states (in v)
     size_t forcing_stride; ///< distance in vectors between numbers of the forcing
@@ -43,6 +46,11 @@ static inline block single(const block *b) {
 /// Returns perturbation n of the shaft's phase, for vector k.
 static inline vec phase_of(const block *b, size_t n, size_t k) {
     return b->turned ? b->v[n * b->next_v + b->phase * b->stride + k] : v_set(0.0);
+}
+
+/// Returns the accelerations of perturbation `unit`, from 0.
+static inline vec *column_of(const block *b, size_t unit) {
+    return b->a + (1 + unit) * b->next_v;
 }
 
 static inline int wants_tangent(const block *b) {

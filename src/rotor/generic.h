@@ -198,6 +198,26 @@ VECTOR_INLINE void seed(const element *own, const kernel_inputs *in, dual *d, du
     for (int i = 0; i < STATES_OF(own); i++) s[i] = dual_input(in->s[i], 2 * KERNEL_AXES + i);
 }
 
+/// Adds the derivatives of forces and slopes to unit perturbations.
+static void add_units(const element *own, const block *b, size_t k, const dual *force, const dual *slope) {
+    vec values[KERNEL_AXES], slopes[KERNEL_STATES + 1];
+    for (int i = 0; i <= KERNEL_STATES; i++) slopes[i] = v_set(0.0);
+    for (int by = 0; by < 4 * KERNEL_AXES + STATES_OF(own); by++) {
+        // Find the coordinate: displacements of the ports come first, then their velocities, then the states.
+        const size_t port = (size_t)by % KERNEL_PORTS;
+        const bool state = by >= 4 * KERNEL_AXES, rate = by >= 2 * KERNEL_AXES;
+        const size_t row = state ? own->state + (size_t)(by - 4 * KERNEL_AXES) : own->port[port];
+        if (row == NO_COORDINATE) continue;
+        const size_t n = 1 + (rate ? b->unit_v : b->unit_q)[row];
+        const int input = state ? by - 2 * KERNEL_AXES : (int)(port % KERNEL_AXES) + (rate ? KERNEL_AXES : 0);
+        const vec unit = state ? v_set(1.0) : in_unit(own, b, k, port, v_set(port < KERNEL_AXES ? 1.0 : -1.0));
+        for (int a = 0; a < KERNEL_AXES; a++) values[a] = v_mul(force[a].by[input], unit);
+        for (int s = 0; s < STATES_OF(own); s++)
+            slopes[s] = v_fma(slope[s].by[input], unit, b->a[n * b->next_v + (own->state + (size_t)s) * b->stride + k]);
+        spread(own, b, n, k, false, values, slopes);
+    }
+}
+
 static void add_dual(const element *own, const block *b, size_t k) {
     const kernel_view view = view_of(own, b, k);
     kernel_inputs in;
@@ -210,7 +230,8 @@ static void add_dual(const element *own, const block *b, size_t k) {
     for (int a = 0; a < KERNEL_AXES; a++) values[a] = force[a].value;
     for (int i = 0; i < STATES_OF(own); i++) slopes[i] = slope[i].value;
     spread(own, b, 0, k, false, values, slopes);
-    for (size_t n = 1; n <= b->perturbations; n++) {
+    if (b->unit_q) add_units(own, b, k, force, slope);
+    for (size_t n = 1; n <= (b->unit_q ? 0 : b->perturbations); n++) {
         kernel_inputs change;
         inputs_of(own, b, n, k, false, &change);
         for (int a = 0; a < KERNEL_AXES; a++) values[a] = along(own, &force[a], &change);

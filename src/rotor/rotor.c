@@ -69,7 +69,7 @@ static size_t rotor_lay_out(whirl_rotor *rotor, char *block, const building *b) 
         cut(block, &used, contacts * sizeof *rotor->contact_names),
         cut(block, &used, coupled * sizeof *rotor->coupled.row),
         cut(block, &used, (coupled ? b->assembly.degrees : 0) * sizeof *rotor->coupled.place),
-        cut(block, &used, coupled * coupled * sizeof *rotor->coupled.share),
+        cut(block, &used, 2 * coupled * coupled * sizeof *rotor->coupled.share),
         cut(block, &used, coupled * sizeof *rotor->coupled.end),
         cut(block, &used, shafts->count * sizeof *shafts->panels),
         cut(block, &used, shafts->part_count * sizeof *shafts->parts),
@@ -115,6 +115,7 @@ static size_t rotor_lay_out(whirl_rotor *rotor, char *block, const building *b) 
     rotor->coupled.row = parts[10];
     rotor->coupled.place = parts[11];
     rotor->coupled.share = parts[12];
+    rotor->coupled.columns = rotor->coupled.share + coupled * coupled;
     rotor->coupled.end = parts[13];
     rotor->body.panels = parts[14];
     rotor->body.parts = parts[15];

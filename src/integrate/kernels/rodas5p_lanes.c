@@ -36,6 +36,7 @@ static void take_jacobian(const adaptive_lanes *lanes, vectors of) {
     take_forcing(lanes, of, 0.0, lanes->length);
     lanes_view view = view_of(lanes, of, lanes->rodas5p.unit_q, lanes->rodas5p.unit_v, lanes->rodas5p.by);
     view.tangents = lanes->rodas5p.sparsity->perturbations;
+    view.columns = lanes->rodas5p.sparsity->perturbation;
     lanes->flow(&view);
 }
 
@@ -176,7 +177,107 @@ VECTOR_INLINE void decompose_some(const adaptive_lanes *lanes, size_t stride, si
     FOR_COUNT VECTORS(rodas5p.doubtful)[k + c] = doubt[c];
 }
 
+#if VECTOR_ISA == VECTOR_SCALAR || VECTOR_ISA == VECTOR_FMA
+/// Subtracts two columns from x, each times its factor. Loops go over whole quads of rows, so that compilers make
+/// vectors without a rest.
+VECTOR_INLINE void subtract_two(double *restrict x, const double *restrict first, double by_first,
+                                const double *restrict second, double by_second, size_t from, size_t to) {
+    for (size_t i = 4 * from; i < 4 * to; i++) x[i] = v_fnma(second[i], by_second, v_fnma(first[i], by_first, x[i]));
+}
+
+VECTOR_INLINE void subtract_one(double *restrict x, const double *restrict column, double by, size_t from, size_t to) {
+    for (size_t i = 4 * from; i < 4 * to; i++) x[i] = v_fnma(column[i], by, x[i]);
+}
+
+/// Eliminates x by the first `count` columns of a lower factor, whose columns are 4 * quads apart.
+static void eliminate(double *x, const double *lower, size_t quads, size_t count) {
+    const size_t rows = 4 * quads;
+    size_t m = 0;
+    for (; m + 2 <= count; m += 2) {
+        const double *first = lower + m * rows, *second = first + rows, by = x[m];
+        subtract_two(x, first, by, second, v_fnma(first[m + 1], by, x[m + 1]), (m + 1) / 4, quads);
+    }
+    if (m < count) subtract_one(x, lower + m * rows, x[m], (m + 1) / 4, quads);
+}
+
+/// Solves for x with an upper factor of n columns, which are 4 * quads apart.
+static void substitute_back(double *x, const double *upper, const double *pivot, size_t quads, size_t n) {
+    const size_t rows = 4 * quads;
+    size_t j = n;
+    for (; j >= 2; j -= 2) {
+        const double *last = upper + (j - 1) * rows, *before = last - rows, by = x[j - 1] * pivot[j - 1],
+                     next = v_fnma(last[j - 2], by, x[j - 2]) * pivot[j - 2];
+        subtract_two(x, last, by, before, next, 0, (j + 2) / 4);
+        x[j - 1] = by;
+        x[j - 2] = next;
+    }
+    if (j > 0) x[0] *= pivot[0];
+}
+
+/// Decomposes the dense matrix of one machine. Its factors are stored column by column, with zeros up to whole quads of
+/// rows. Each number takes the operations of decompose_some, in its order.
+static void decompose_alone(const adaptive_lanes *lanes) {
+    const size_t n = lanes->rates, degrees = lanes->degrees, quads = (n + 3) / 4, rows = 4 * quads;
+    const double s = *lanes->rodas5p.shift, least = 0x1p-8 * (s * s);
+    double *lower = lanes->rodas5p.matrix, *upper = lower + n * rows, *restrict x = upper + n * rows;
+    double *pivot = lanes->rodas5p.pivot;
+    const double *by_q = lanes->rodas5p.by + n, *by_v = by_q + degrees * n;
+    bool doubtful = !(0.0 < least);
+    for (size_t j = 0; j < n; j++) {
+        // Fill a column, and eliminate it with the columns before.
+        double *column = lower + j * rows, *above = upper + j * rows;
+        const double *restrict from_q = by_q + j * n, *restrict from_v = by_v + j * n;
+        if (j < degrees)
+            for (size_t i = 0; i < n; i++) x[i] = v_fnma(s, from_v[i], 0.0 - from_q[i]);
+        else
+            for (size_t i = 0; i < n; i++) x[i] = v_fnma(s, from_v[i], 0.0);
+        x[j] = v_fma(s, s, x[j]);
+        eliminate(x, lower, quads, j);
+        // Invert its pivot, and store the factors.
+        doubtful = doubtful || !(least < x[j]);
+        pivot[j] = 1.0 / x[j];
+        for (size_t i = 0; i < j; i++) above[i] = x[i];
+        for (size_t i = j; i < 4 * (j / 4 + 1); i++) above[i] = 0.0;
+        for (size_t i = 4 * (j / 4); i <= j; i++) column[i] = 0.0;
+        for (size_t i = j + 1; i < n; i++) column[i] = x[i] * pivot[j];
+        for (size_t i = n; i < rows; i++) column[i] = x[i] = 0.0;
+    }
+    *lanes->rodas5p.doubtful = doubtful ? 1.0 : 0.0;
+}
+
+/// Solves the equations of a stage for one machine with the factors of decompose_alone.
+static void solve_alone(const adaptive_lanes *lanes, double *u_q, double *u_v) {
+    const size_t n = lanes->rates, degrees = lanes->degrees, quads = (n + 3) / 4, rows = 4 * quads;
+    const double *lower = lanes->rodas5p.matrix, *upper = lower + n * rows, *pivot = lanes->rodas5p.pivot;
+    const double *by_q = lanes->rodas5p.by + n, *right_q = lanes->rodas5p.right_q, s = *lanes->rodas5p.shift;
+    double *restrict x = lanes->rodas5p.matrix + 2 * n * rows;
+    // Compute the right-hand side s r_v + A r_q.
+    for (size_t i = 0; i < n; i++) x[i] = s * u_v[i];
+    size_t j = 0;
+    for (; j + 4 <= degrees; j += 4) {
+        const double *restrict a = by_q + j * n, *restrict b = a + n, *restrict c = b + n, *restrict d = c + n;
+        const double by_a = right_q[j], by_b = right_q[j + 1], by_c = right_q[j + 2], by_d = right_q[j + 3];
+        for (size_t i = 0; i < n; i++)
+            x[i] = v_fma(by_d, d[i], v_fma(by_c, c[i], v_fma(by_b, b[i], v_fma(by_a, a[i], x[i]))));
+    }
+    for (; j < degrees; j++)
+        for (size_t i = 0; i < n; i++) x[i] = v_fma(right_q[j], by_q[j * n + i], x[i]);
+    // Substitute forward and back.
+    for (size_t i = n; i < rows; i++) x[i] = 0.0;
+    eliminate(x, lower, quads, n);
+    substitute_back(x, upper, pivot, quads, n);
+    for (size_t i = 0; i < n; i++) u_v[i] = x[i];
+    for (size_t i = 0; i < degrees; i++) u_q[i] = rodas5p_gamma * *lanes->length * (x[i] + right_q[i]);
+}
+#endif
+
 static void decompose(const adaptive_lanes *lanes, vectors of) {
+#if VECTOR_ISA == VECTOR_SCALAR || VECTOR_ISA == VECTOR_FMA
+    if (lanes->rodas5p.sparsity->dense) {
+        decompose_alone(lanes);
+        return;
+    }
+#endif
 #define DECOMPOSE(stride, k, count) decompose_some(lanes, stride, k, count)
     TOGETHER(DECOMPOSE, of);
 #undef DECOMPOSE
@@ -220,6 +321,12 @@ VECTOR_INLINE void solve_some(const adaptive_lanes *lanes, size_t stride, size_t
 }
 
 static void rodas5p_solve(const adaptive_lanes *lanes, vectors of, vec *u_q, vec *u_v) {
+#if VECTOR_ISA == VECTOR_SCALAR || VECTOR_ISA == VECTOR_FMA
+    if (lanes->rodas5p.sparsity->dense) {
+        solve_alone(lanes, u_q, u_v);
+        return;
+    }
+#endif
 #define SOLVE(stride, k, count) solve_some(lanes, stride, k, count, u_q, u_v)
     TOGETHER(SOLVE, of);
 #undef SOLVE
@@ -252,6 +359,18 @@ VECTOR_INLINE void enter_stage(const adaptive_lanes *lanes, vectors of, int numb
     const vec *u_q = (const vec *)own->u_q[0], *u_v = (const vec *)own->u_v[0];
     vec *stage_q = VECTORS(stage_q), *stage_v = VECTORS(stage_v), *right_q = VECTORS(rodas5p.right_q);
     vec *right_v = (vec *)own->u_v[number], right;
+    if (lanes->stride == 1) { // one loop, which compilers vectorize for one machine
+        const vec per = per_length(lanes, 0);
+        for (size_t i = 0; i < lanes->rates; i++) {
+            stage_v[i] = add_increments(number, u_v + i, apart, v[i], &right);
+            right_v[i] = v_mul(per, right);
+        }
+        for (size_t i = 0; i < lanes->degrees; i++) {
+            stage_q[i] = add_increments(number, u_q + i, apart, q[i], &right);
+            right_q[i] = v_fma(per, right, stage_v[i]);
+        }
+        return;
+    }
     FOR_RATES_OF_SOME(of) {
         stage_v[i] = add_increments(number, u_v + i, apart, v[i], &right);
         right_v[i] = v_mul(per_length(lanes, k), right);

@@ -89,14 +89,16 @@ static size_t group(size_t rates) {
 
 static size_t rodas5p_lay_out(adaptive_lanes *lanes, double *block) {
     rodas5p_work *own = &lanes->rodas5p;
-    const size_t n = lanes->degrees, m = lanes->rates, sets = 1 + own->sparsity->perturbations;
+    const size_t n = lanes->degrees, m = lanes->rates, quads = (m + 3) / 4;
+    const size_t matrix = own->sparsity->dense ? 4 * quads * (2 * m + 1) : m * m; // two factors and a column, or one
+    const size_t sets = 1 + own->sparsity->perturbations;
     const struct {
         double **array;
         size_t rows;
     } parts[] = {
         {&lanes->slope, m},       {&lanes->end_slope, m},
         {&own->unit_q, sets * n}, {&own->unit_v, sets * m},
-        {&own->by, sets * m},     {&own->matrix, m * m},
+        {&own->by, sets * m},     {&own->matrix, matrix},
         {&own->pivot, m},         {&own->doubtful, 1},
         {&own->shift, 1},         {&own->rate, m},
         {&own->right_q, n},       {&own->between_q, n},

@@ -49,7 +49,8 @@ static size_t *list(sparse_rows *out, size_t *numbers, const bool *table, size_t
     return next;
 }
 
-sparsity *sparsity_new(size_t n, size_t m, void (*depends)(const void *model, bool *table), const void *model) {
+sparsity *sparsity_new(size_t n, size_t m, void (*depends)(const void *model, bool *table), const void *model,
+                       bool alone) {
     const size_t width = n + m;
     const size_t most = width + 4 * (m + 1) + m * (width + 4) + m * (m + 2); // at worst every run is one column
     sparsity *out = calloc(1, sizeof *out + most * sizeof(size_t));
@@ -64,14 +65,22 @@ sparsity *sparsity_new(size_t n, size_t m, void (*depends)(const void *model, bo
     out->perturbation = (size_t *)(out + 1);
     if (depends) depends(model, table);
     for (size_t i = 0; !depends && i < m * width; i++) table[i] = true;
-    // Assign perturbations to columns, and list the dependences.
-    share_perturbations(out, table, m, width, table + m * width);
-    size_t *next = list(&out->by_q, out->perturbation + width, table, m, width, n, ALL);
-    next = list(&out->by_v, next, table + n, m, width, m, ALL);
     // Find the pattern of the matrix after elimination.
     for (size_t i = 0; i < m; i++)
         for (size_t c = 0; c < m; c++) matrix[i * m + c] = table[i * width + n + c] || (c < n && table[i * width + c]);
     fill_in(matrix, m);
+    size_t filled = 0;
+    for (size_t i = 0; i < m * m; i++) filled += matrix[i];
+    out->dense = alone && 2 * filled > m * m;
+    // Assign perturbations to columns, and list the dependences.
+    if (out->dense) {
+        out->perturbations = width;
+        for (size_t c = 0; c < width; c++) out->perturbation[c] = c;
+    } else {
+        share_perturbations(out, table, m, width, table + m * width);
+    }
+    size_t *next = list(&out->by_q, out->perturbation + width, table, m, width, n, ALL);
+    next = list(&out->by_v, next, table + n, m, width, m, ALL);
     next = list(&out->lower, next, matrix, m, m, m, BELOW_DIAGONAL);
     list(&out->upper, next, matrix, m, m, m, ABOVE_DIAGONAL);
     free(table);

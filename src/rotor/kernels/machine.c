@@ -11,11 +11,16 @@
 
 static block block_of(const lanes_view *view) {
     const whirl_rotor *rotor = view->model;
+    const size_t rates = view->rates > 0 ? view->rates : rotor->lanes.degrees + rotor->lanes.states;
+    // A shaft's phase that is a state acts on all perturbations.
+    const size_t *unit = rotor->phase ? NULL : view->columns;
     return (block){.stride = view->stride,
                    .vectors = view->vectors,
                    .perturbations = view->tangents,
                    .next = rotor->lanes.degrees * view->stride,
-                   .next_v = (rotor->lanes.degrees + rotor->lanes.states) * view->stride,
+                   .next_v = rates * view->stride,
+                   .unit_q = unit,
+                   .unit_v = unit ? unit + rotor->lanes.degrees : NULL,
                    .forcing_stride = view->stride,
                    .forcing = view->forcing,
                    .q = view->q,
@@ -51,8 +56,21 @@ static void pass_stations(const block *b, size_t station_count) {
         add_stations(single(b), station_count);
 }
 
+/// Computes the stations' effect on unit perturbations.
+static void pass_station_units(const block *b, size_t station_count) {
+    for (size_t row = 0; row < 2 * station_count; row++) {
+        const vec *damping = station_numbers(b, row / 2) + STATION_DAMPING * b->stride;
+        vec *a = column_of(b, b->unit_v[row]) + row * b->stride;
+        for (size_t k = 0; k < b->vectors; k++) a[k] = v_sub(v_set(0.0), damping[k]);
+    }
+}
+
 /// Computes the stations' effect on perturbations.
 static void pass_station_tangents(const block *b, size_t station_count) {
+    if (b->unit_v) {
+        pass_station_units(b, station_count);
+        return;
+    }
     for (size_t s = 0; s < station_count; s++)
         for (size_t k = 0; k < b->vectors; k++) {
             const vec *own = station_numbers(b, s) + k;
@@ -83,12 +101,24 @@ static const vec *machine_column(const linear_term *term, const block *b, size_t
     }
 }
 
+/// Adds terms to unit perturbations.
+static void pass_terms_units(const whirl_rotor *rotor, const block *b) {
+    for (size_t i = 0; i < rotor->term_count; i++) {
+        const linear_term *term = &rotor->terms[i];
+        if (term->source != SOURCE_PLACE && term->source != SOURCE_VELOCITY) continue;
+        const vec *number = b->numbers + (rotor->plane_count * STATION_NUMBERS + i) * b->stride;
+        const size_t *unit = term->source == SOURCE_PLACE ? b->unit_q : b->unit_v;
+        vec *a = column_of(b, unit[term->column]) + term->row * b->stride;
+        for (size_t k = 0; k < b->vectors; k++) a[k] = v_add(number[k], a[k]);
+    }
+}
+
 /// Adds terms for all states at once. The terms of a row are adjacent, so that its sum stays in registers.
 static void pass_terms(const whirl_rotor *rotor, const block *b) {
     for (size_t i = 0; i < rotor->term_count; i++) {
         const linear_term *term = &rotor->terms[i];
         const vec *number = b->numbers + (rotor->plane_count * STATION_NUMBERS + i) * b->stride;
-        for (size_t n = 0; n <= b->perturbations; n++) {
+        for (size_t n = 0; n <= (b->unit_q ? 0 : b->perturbations); n++) {
             const vec *column = machine_column(term, b, n);
             vec *a = b->a + n * b->next_v + term->row * b->stride;
             if (column)
@@ -130,7 +160,12 @@ static void pass_terms_alone(const whirl_rotor *rotor, const block *b) {
 static void clear(const whirl_rotor *rotor, const block *b) {
     const size_t first = 2 * rotor->plane_count, vectors = b->vectors, stride = b->stride;
     for (size_t k = 0; b->divergence && k < vectors; k++) b->divergence[k] = v_set(0.0);
-    for (size_t n = 0; n <= b->perturbations; n++) {
+    // All contributions to unit perturbations are added.
+    if (b->unit_q && vectors == stride) memset(b->a + b->next_v, 0, b->perturbations * b->next_v * sizeof *b->a);
+    for (size_t row = b->next_v; b->unit_q && vectors < stride && row < (1 + b->perturbations) * b->next_v;
+         row += stride)
+        for (size_t k = 0; k < vectors; k++) b->a[row + k] = v_set(0.0);
+    for (size_t n = 0; n <= (b->unit_q ? 0 : b->perturbations); n++) {
         vec *a = b->a + n * b->next_v + first * stride;
         for (size_t d = first; d < rotor->begun; d++, a += stride)
             for (size_t k = 0; k < vectors; k++) a[k] = v_set(0.0);
@@ -146,10 +181,11 @@ static void pass_all(const whirl_rotor *rotor, const block *b) {
     pass_stations(b, rotor->plane_count);
     if (wants_tangent(b)) pass_station_tangents(b, rotor->plane_count);
     if (rotor->body.count > 0) pass_body(&rotor->body, b->numbers + rotor->first_rate * b->stride, b);
-    if (b->stride == 1 && !wants_tangent(b))
+    if (b->stride == 1 && !b->divergence && (b->perturbations == 0 || b->unit_q))
         pass_terms_alone(rotor, b);
     else
         pass_terms(rotor, b);
+    if (b->unit_q) pass_terms_units(rotor, b);
     for (const element *own = rotor->elements; own < rotor->elements + rotor->element_count; own += own->run)
         kernels_of(own)->flow(own, own->run, b);
     if (b->coupled) couple(b);

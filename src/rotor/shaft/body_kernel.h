@@ -85,8 +85,54 @@ VECTOR_INLINE void sum_rows(const body_panels *of, const body_panel *panel, cons
     for (; k < vectors; k++) sum_panel(of, panel, w, first, rows, 1, k);
 }
 
+#if VECTOR_ISA == VECTOR_SCALAR || VECTOR_ISA == VECTOR_FMA
+/// Adds the columns of a part to the sums of `rows` rows, for one machine. Compilers make vectors of rows.
+VECTOR_INLINE void add_part_alone(const body_panels *of, const body_part *part, const panel_work *w, size_t rows,
+                                  double *sum) {
+    const double *x = part->kind.source == BODY_PLACE ? w->q : w->v, *number = of->numbers + part->first_number;
+    const unsigned *column = of->columns + part->first_column;
+    for (size_t c = 0; c < part->common; c++, number += rows) {
+        const double own = x[*column++];
+        for (size_t r = 0; r < rows; r++) sum[r] = v_fma(number[r], own, sum[r]);
+    }
+    for (size_t c = 0; c < part->lone; c++, number += rows, column += rows)
+        for (size_t r = 0; r < rows; r++) sum[r] = v_fma(number[r], x[column[r]], sum[r]);
+}
+
+/// Computes the sums of a panel of `rows` rows as sum_panel does, for one machine.
+VECTOR_INLINE void sum_panel_alone(const body_panels *of, const body_panel *panel, const panel_work *w, size_t rows) {
+    const body_part *part = of->parts + panel->first_part, *end = part + panel->part_count;
+    body_rate rate = part->kind.rate;
+    double sum[PANEL_ROWS] = {0.0};
+    for (; part < end; rate = part++->kind.rate) {
+        if (rate != part->kind.rate) {
+            const double factor = *rate_over(w, rate, part->kind.rate);
+            for (size_t r = 0; r < rows; r++) sum[r] = factor * sum[r];
+        }
+        if (part->kind.source != BODY_ONE)
+            add_part_alone(of, part, w, rows, sum);
+        else if (!w->beside)
+            for (size_t r = 0; r < rows; r++) sum[r] += of->numbers[part->first_number + r];
+    }
+    const double last = *rate_over(w, rate, RATES), scale = w->value ? last * *w->value : last;
+    for (size_t r = 0; r < rows; r++) {
+        double *a = w->a + panel->row[r];
+        *a = panel->begins ? scale * sum[r] : v_fma(scale, sum[r], *a);
+    }
+}
+#endif
+
 static void pass_panel(const body_panels *of, const body_panel *panel, const panel_work *w, size_t vectors) {
     size_t first = 0;
+#if VECTOR_ISA == VECTOR_SCALAR || VECTOR_ISA == VECTOR_FMA
+    if (w->stride == 1) {
+        if (w->rows == PANEL_ROWS)
+            sum_panel_alone(of, panel, w, PANEL_ROWS);
+        else
+            sum_panel_alone(of, panel, w, w->rows);
+        return;
+    }
+#endif
     for (; first + SUM_ROWS <= w->rows; first += SUM_ROWS) sum_rows(of, panel, w, first, SUM_ROWS, vectors);
     for (; first + 4 <= w->rows; first += 4) sum_rows(of, panel, w, first, 4, vectors);
     switch (w->rows - first) {
@@ -114,6 +160,25 @@ static void pass_turned(const body_panels *of, const body_panel *panel, const pa
             one.q += k, one.v += k, one.steps += k, one.a += n * b->next_v + k, one.value = &by;
             pass_panel(of, panel, &one, 1);
         }
+}
+
+/// Adds the terms of a panel to unit perturbations, each with its rate.
+static void pass_units(const body_panels *of, const body_panel *panel, const panel_work *w, const block *b) {
+    for (size_t i = 0; i < panel->part_count; i++) {
+        const body_part *part = &of->parts[panel->first_part + i];
+        if (part->kind.source == BODY_ONE) continue;
+        const size_t *unit = part->kind.source == BODY_PLACE ? b->unit_q : b->unit_v;
+        for (size_t k = 0; k < b->vectors; k++) {
+            const double *number = of->numbers + part->first_number;
+            const vec last = rate_over(w, part->kind.rate, RATES)[k], rate = w->value ? v_mul(last, w->value[k]) : last;
+            for (size_t c = 0; c < part->common + part->lone; c++)
+                for (size_t r = 0; r < panel->rows; r++, number++) {
+                    const size_t column = unit[body_column(of, part, panel->rows, c, r)];
+                    vec *a = column_of(b, column) + panel->row[r] * b->stride + k;
+                    *a = v_fma(rate, v_set(*number), *a);
+                }
+        }
+    }
 }
 
 /// Adds a part's contribution to the trace.
@@ -148,7 +213,8 @@ static void pass_body(const body_panels *of, const vec *steps, const block *b) {
             const body_part *part = &of->parts[panel->first_part + i];
             if (part->kind.source == BODY_VELOCITY) trace_part(of, panel, part, &w, b);
         }
-        for (size_t n = 0; n <= b->perturbations; n++, w.beside = true) {
+        if (b->unit_q) pass_units(of, panel, &w, b);
+        for (size_t n = 0; n <= (b->unit_q ? 0 : b->perturbations); n++, w.beside = true) {
             pass_panel(of, panel, &w, b->vectors);
             w.q += b->next, w.v += b->next_v, w.a += b->next_v;
         }
@@ -179,9 +245,36 @@ VECTOR_INLINE void couple_some(const coupling *by, size_t begin, size_t end, siz
     for (; row < end; row++) couple_rows(by, row, 1, begin, end, g, count, a, stride);
 }
 
+#if VECTOR_ISA == VECTOR_SCALAR || VECTOR_ISA == VECTOR_FMA
+/// Couples one group of coordinates of one machine, column by column. Compilers make vectors of rows.
+static void couple_alone(const coupling *by, size_t begin, size_t end, double *a) {
+    double g[AXES * WHIRL_MAX_STATIONS], sum[AXES * WHIRL_MAX_STATIONS];
+    const size_t count = end - begin;
+    const size_t *row = by->row + begin;
+    bool any = false;
+    for (size_t j = 0; j < count; j++) {
+        g[j] = a[row[j]];
+        any = any || g[j] != 0.0;
+        sum[j] = 0.0;
+    }
+    if (!any) return;
+    for (size_t j = 0; j < count; j++) {
+        const double *column = by->columns + (begin + j) * by->count + begin;
+        for (size_t i = 0; i < count; i++) sum[i] = v_fma(column[i], g[j], sum[i]);
+    }
+    for (size_t j = 0; j < count; j++) a[row[j]] = sum[j];
+}
+#endif
+
 /// Applies mass coupling: converts forces divided by each coordinate's own inertia to accelerations a = C g.
 static void couple(const block *b) {
     const coupling *by = b->coupled;
+#if VECTOR_ISA == VECTOR_SCALAR || VECTOR_ISA == VECTOR_FMA
+    for (size_t n = 0; b->stride == 1 && n <= b->perturbations; n++)
+        for (size_t begin = 0; begin < by->count; begin = by->end[begin])
+            couple_alone(by, begin, by->end[begin], b->a + n * b->next_v);
+    if (b->stride == 1) return;
+#endif
     for (size_t n = 0; n <= b->perturbations; n++)
         for (size_t begin = 0; begin < by->count; begin = by->end[begin]) {
             vec *a = b->a + n * b->next_v;
