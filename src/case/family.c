@@ -155,12 +155,12 @@ static bool is_offset(size_t offset, const size_t *list) {
     return *list == offset;
 }
 
-/// Evaluates the numbers of a run at the parameters of its machine. The tolerance and the highest order of spectra are
+/// Evaluates the numbers of a run at the parameters of its machine. The tolerances and the highest order of spectra are
 /// those of the batch, and so is whether something happens at all.
 static whirl_status run_numbers(const setting_list *keys, const whirl_runup_options *batch, valuation *v,
                                 whirl_runup_options *options) {
 #define OF(member) offsetof(whirl_runup_options, member)
-    static const size_t of_batch[] = {OF(highest_order), OF(rtol), SIZE_MAX};
+    static const size_t of_batch[] = {OF(highest_order), OF(rtol), OF(atol), SIZE_MAX};
     static const size_t may_vanish[] = {OF(from), OF(angle), OF(settle), OF(loss_moment), OF(loss_angle), SIZE_MAX};
 #undef OF
     whirl_runup_options own = *batch;

@@ -218,19 +218,21 @@ static void warn_of_tolerance(warner *w, const whirl_batch *batch, const whirl_g
     char text[WHIRL_MESSAGE_SIZE];
     valuation v;
     whirl_rotor *rotor = NULL;
-    if (w->status.code != WHIRL_OK || !plan_moves(batch) || !(batch->integrate.atol > usual)) return;
+    const bool runs = !plan_moves(batch);
+    const double tolerance = runs ? batch->record.runup.atol : batch->integrate.atol;
+    if (w->status.code != WHIRL_OK || !(tolerance > usual)) return;
     whirl_status status = valuation_open(&v, &w->content->parameters, given, count);
     if (status.code == WHIRL_OK) status = machine_build(&w->content->machine, &v, true, &rotor);
     valuation_close(&v);
     if (status.code == WHIRL_NO_MEMORY) w->status = status;
-    const double share = rotor ? batch->integrate.atol / plan_smallest_gap(whirl_rotor_system(rotor)) : 0.0;
+    const double share = rotor ? tolerance / plan_smallest_gap(whirl_rotor_system(rotor)) : 0.0;
     whirl_rotor_free(rotor);
     if (!(share > coarse)) return;
     snprintf(text, sizeof text,
              "%.3g length scales are %.3g of the smallest clearance or gap: motions in it are coarse, expected %.0g of "
              "it or less",
-             batch->integrate.atol, share, coarse);
-    warn(w, "study.integrate.atol", text);
+             tolerance, share, coarse);
+    warn(w, runs ? "study.runup.atol" : "study.integrate.atol", text);
 }
 
 /// Warns about a point of a batch, given by its index among the values of its axes.

@@ -321,10 +321,9 @@ bool whirl_ensemble_flows(const whirl_system *system, const whirl_integrate_opti
 whirl_status whirl_ensemble_flow(const whirl_system *system, const whirl_integrate_options *options, size_t lanes,
                                  size_t followed, whirl_ensemble **out) {
     *out = NULL;
-    if (followed > 0 ? !whirl_ensemble_flows(system, options)
-                     : !system->lanes || adaptive_in_lanes(options) != &dop853_in_lanes)
+    if (followed > 0 ? !whirl_ensemble_flows(system, options) : !system->lanes || !adaptive_in_lanes(options))
         return whirl_fail(WHIRL_BAD_INPUT, "parts of the period of this system do not go in lanes, expected a rotor of "
-                                           "up to 256 coordinates and method dop853");
+                                           "up to 256 coordinates and method dop853, or rodas5p without perturbations");
     if (followed > system->dimension)
         return whirl_fail(WHIRL_BAD_INPUT, "%zu perturbations are to be followed, expected at most the dimension, %zu",
                           followed, system->dimension);

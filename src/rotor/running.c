@@ -1117,8 +1117,10 @@ static void running_contacts(const whirl_running *running, const double *x, doub
     rotor_contacts_with(r->rotor, running_numbers_at(r, x[r->at_speed], x), x, normal_force, NULL);
 }
 
-static const whirl_system *running_in_lanes(const whirl_running *running) {
+static const whirl_system *running_in_lanes(const whirl_running *running, bool derived) {
     const running_rotor *r = (const running_rotor *)running;
+    // Contacts do not give the derivative of the torque of their friction.
+    if (derived && r->driven && r->rotor->contact_count > 0) return NULL;
     return running_goes_in_lanes(r) ? &r->together : NULL;
 }
 

@@ -95,6 +95,32 @@ static bool running_lane_alike(const void *one, const void *other) {
            memcmp(a->along, b->along, a->rotor->lanes.degrees) == 0;
 }
 
+/// Marks what slopes depend on: the rotor's slopes on what they depend on at a constant speed, on their velocities and
+/// on the speed; with torques, all slopes on all coordinates.
+static void running_lane_depends(const void *model, bool *table) {
+    const running_rotor *r = model;
+    const whirl_rotor *rotor = r->rotor;
+    const size_t degrees = rotor->lanes.degrees, rows = degrees + rotor->lanes.states, own = degrees + rows;
+    const size_t width = r->form.degrees + r->form.degrees + r->form.states, speed = r->at_speed;
+    if (r->driven) {
+        for (size_t i = 0; i < (width - degrees) * width; i++) table[i] = true;
+        return;
+    }
+    // The rotor fills a narrower table, which is spread from its end on.
+    rotor->lanes.depends(rotor, table);
+    for (size_t i = rows; i-- > 0;) {
+        bool *row = table + i * width;
+        memmove(row, table + i * own, own * sizeof *row);
+        memset(row + own, 0, (width - own) * sizeof *row);
+        row[speed] = true;
+        if (i < degrees) row[degrees + i] = true;
+    }
+    for (size_t i = rows; i < width - degrees; i++) {
+        memset(table + i * width, 0, width * sizeof *table);
+        table[i * width + speed] = true;
+    }
+}
+
 /// Lists the coordinates on which unbalances of the machine, or those that appear in a run, act.
 static void running_find_lever_rows(running_rotor *r) {
     const size_t degrees = r->rotor->lanes.degrees;
@@ -132,18 +158,20 @@ bool running_lanes_fill(running_rotor *r) {
     own->now = own->levers + own->lever_count * LEVER_NUMBERS;
     own->contacts = own->now + own->lever_count;
     own->switches = own->contacts + 3 * rotor->contact_count;
+    own->nearby = own->switches + 2 * rotor->lanes.switch_count;
     // Describe the system: states of the shaft follow those of the rotor.
     r->form = (whirl_lanes){.degrees = rotor->lanes.degrees,
                             .states = r->at_speed + 2 - 2 * rotor->lanes.degrees,
-                            .number_count = own->switches + 2 * rotor->lanes.switch_count,
+                            .number_count = own->nearby + rotor->lanes.degrees + rotor->lanes.states,
                             .numbers = running_lane_numbers,
                             .alike = running_lane_alike,
                             .places = none,
                             .part = running_lane_part,
+                            .depends = running_lane_depends,
                             .switch_count = rotor->lanes.switch_count,
                             .group_count = rotor->lanes.group_count,
                             .groups = rotor->lanes.groups,
-                            .modulated = true,
+                            .modulated = r->driven || rotor->lanes.modulated,
                             .slides = rotor->lanes.slides,
                             .jumps = rotor->lanes.jumps,
                             .flow = flow,

@@ -104,6 +104,7 @@ typedef struct running_lanes {
     size_t now;      ///< first of [lever_count] workspace: accelerations by a unit of theta''
     size_t contacts; ///< first of [3][contact_count] workspace
     size_t switches; ///< first of [2][switch_count] workspace
+    size_t nearby;   ///< first of [degrees + states] workspace: slopes of the rotor at a speed nearby
     size_t lever_count;
     size_t *lever;           ///< [lever_count] coordinates
     size_t factor_count;     ///< number of factors of powers

@@ -295,7 +295,8 @@ typedef struct whirl_resting {
     double drive_speed;             ///< whirl_machine.drive_speed
     const whirl_run_course *course; ///< whirl_machine.course
     const whirl_runup_options *run; ///< NULL, or the options of its run-up, in place of those of the analysis; they
-                                    ///< have the same method, rtol, samples, sensitivity and numbers of rows and views
+                                    ///< have the same method, tolerances, samples, sensitivity, and numbers of rows
+                                    ///< and views
     whirl_run_motion *motion;       ///< NULL, or receives the motion of a run-up at equal times; borrowed
     const whirl_stop *stop;         ///< NULL, or a flag that becomes true when long work shall end; the numbers of the
                                     ///< block are then meaningless

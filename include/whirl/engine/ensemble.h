@@ -56,7 +56,8 @@ whirl_status whirl_ensemble_variational(const whirl_system *system, const whirl_
 bool whirl_ensemble_flows(const whirl_system *system, const whirl_integrate_options *options);
 
 /// Creates an ensemble as whirl_ensemble_new, of at least `lanes` (at least 1) machines, with `followed` perturbations
-/// of each (0 to the dimension). Each machine is carried over its own part of the period (whirl_ensemble_part).
+/// of each (0 to the dimension), by dop853, or by rodas5p without perturbations. Each machine is carried over its own
+/// part of the period (whirl_ensemble_part).
 whirl_status whirl_ensemble_flow(const whirl_system *system, const whirl_integrate_options *options, size_t lanes,
                                  size_t followed, whirl_ensemble **ensemble);
 

@@ -95,6 +95,7 @@ typedef struct whirl_runup_options {
     int rows;                          ///< number of rows of the result over the time
     int samples;                       ///< samples of a turn
     double rtol;                       ///< relative tolerance
+    double atol;                       ///< absolute tolerance, in length scales; 0: 1e-3 rtol
     char method[WHIRL_NAME_SIZE];      ///< name of whirl_method_at
     int spectra;                       ///< number of spectra over the time; 0: none
     int spectrum_turns;                ///< turns of the shaft in a spectrum

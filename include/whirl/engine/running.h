@@ -253,8 +253,9 @@ struct whirl_running {
     size_t (*contact_switch)(const whirl_running *running, size_t contact);
 
     /// Returns the equations by the angle for ensembles, whose time is the angle itself, or NULL if the machine, as it
-    /// turns now, does not run in lanes. An ensemble knows the machine as it was when it was loaded.
-    const whirl_system *(*in_lanes)(const whirl_running *running);
+    /// turns now, does not run in lanes. An ensemble knows the machine as it was when it was loaded. derived: with the
+    /// derivatives that implicit methods need.
+    const whirl_system *(*in_lanes)(const whirl_running *running, bool derived);
 
     /// Frees the machine.
     void (*release)(whirl_running *running);

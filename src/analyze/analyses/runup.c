@@ -870,7 +870,7 @@ static void runup_job_begin(runup_job *job, bool resume) {
     if (probes > 0) f->way = whirl_probe_way(&system->probes[0]);
     plan->start = job->numbers + d;
     plan->integrate.rtol = o->rtol;
-    plan->integrate.atol = 1e-3 * o->rtol;
+    plan->integrate.atol = o->atol > 0.0 ? o->atol : 1e-3 * o->rtol;
     plan->integrate.limit = 1e300; // time grows without bounds; a motion diverges when it is no longer finite
     memcpy(plan->integrate.method, o->method, sizeof plan->integrate.method);
     job->status = runup_find_start(point, o, job->make.highest, job->numbers + d, &plan->start_count);

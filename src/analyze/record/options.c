@@ -322,6 +322,8 @@ const whirl_member *whirl_runup_members(void) {
         RUNUP(WHOLE, samples, "1", WHIRL_KEY_WHOLE, "128", WHIRL_FROM_TO(16, 65536), NULL,
               "number of instants of a turn at which the motion is observed"),
         RUNUP_NUMBER(rtol, "rtol", "1", "1e-8", WHIRL_ABOVE_TO(1e-14, 1e-2), "relative tolerance"),
+        RUNUP_NUMBER(atol, "atol", "1", "0", WHIRL_FROM_TO(0, 1e-2),
+                     "absolute tolerance, in length scales; 0: a thousandth of rtol"),
         RUNUP(WORD, method, "", WHIRL_KEY_CHOICE, "dop853", WHIRL_ANY, "dop853|rodas5p",
               "method of integration; rodas5p for machines whose fast modes are damped hard"),
         RUNUP(

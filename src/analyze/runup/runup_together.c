@@ -196,9 +196,10 @@ static void runup_unload(runup_member *member) {
 /// Returns true if lanes can carry the next part of a run.
 static bool runup_fits_lanes(runup_member *member) {
     const runner *r = &member->r;
-    if (r->by_time || strcmp(r->plan->integrate.method, "dop853") != 0) return false;
+    const bool implicit = strcmp(r->plan->integrate.method, "rodas5p") == 0;
+    if (r->by_time || (!implicit && strcmp(r->plan->integrate.method, "dop853") != 0)) return false;
     if (member->known != r->settings + 1) {
-        member->in_lanes = r->machine->in_lanes(r->machine);
+        member->in_lanes = r->machine->in_lanes(r->machine, implicit);
         member->known = r->settings + 1;
     }
     return member->in_lanes != NULL;

@@ -42,6 +42,9 @@ static inline vec running_speed(const running_vector *own) {
     return v_max(v_set(slowest), own->v[running_speed_row(own->r) * own->stride + own->k]);
 }
 
+/// Relative distance of the speeds at which slopes are taken for their derivative by the speed, which is exact to 1e-8.
+static const double running_apart = 0x1p-26;
+
 enum { AT_ONCE = 4 }; ///< vectors whose numbers are evaluated together
 
 /// Evaluates the numbers that vary with the speed, for `count` vectors from k on, at the present speeds times `share`.
@@ -78,8 +81,10 @@ static void running_put_numbers(const lanes_view *view, double share) {
 
 /// Returns a view of the rotors alone.
 static lanes_view running_rotor_view(const lanes_view *view) {
+    const running_rotor *r = view->model;
     lanes_view rotors = *view;
-    rotors.model = ((const running_rotor *)view->model)->rotor;
+    rotors.model = r->rotor;
+    rotors.rates = r->form.degrees + r->form.states;
     return rotors;
 }
 
@@ -108,9 +113,15 @@ static vec running_friction(const running_vector *own) {
     return sum;
 }
 
+/// Returns the lever of unbalance j, with the cosine and sine of the shaft's angle.
+static inline vec running_lever(const running_vector *own, size_t j, vec c, vec s) {
+    return v_fms(running_lever_number(own, j, LEVER_FORCE_COS), s,
+                 v_mul(running_lever_number(own, j, LEVER_FORCE_SIN), c));
+}
+
 /// Returns theta'' over the square of the unit of speed where torques drive the shafts, from the accelerations by the
-/// angle without it.
-static vec running_by_torques(const running_vector *own, vec w, vec c, vec s) {
+/// angle without it. *whole: the inertia that it divides by.
+static vec running_by_torques(const running_vector *own, vec w, vec c, vec s, vec *whole_inertia) {
     const running_rotor *r = own->r;
     const vec speed = v_mul(w, running_shaft_number(own, SHAFT_UNIT)), square = v_mul(w, w);
     const vec pull[3] = {running_shaft_number(own, SHAFT_PULL), running_shaft_number(own, SHAFT_PULL + 1), v_set(0.0)};
@@ -128,14 +139,30 @@ static vec running_by_torques(const running_vector *own, vec w, vec c, vec s) {
     }
     for (size_t j = 0; j < r->lanes.lever_count; j++) {
         const size_t row = r->lanes.lever[j];
-        const vec lever = v_fms(running_lever_number(own, j, LEVER_FORCE_COS), s,
-                                v_mul(running_lever_number(own, j, LEVER_FORCE_SIN), c));
+        const vec lever = running_lever(own, j, c, s);
         const vec unit = running_lever_number(own, j, LEVER_UNIT);
         const vec moved = v_fms(v_mul(unit, square), own->a[row * own->stride + own->k], pull[r->along[row]]);
         reaction = v_fma(lever, moved, reaction);
         inertia = v_fnma(v_mul(lever, unit), *running_row(own, r->lanes.now + j), inertia);
     }
+    *whole_inertia = inertia;
     return v_div(v_add(v_div(whole, running_shaft_number(own, SHAFT_SQUARE)), reaction), inertia);
+}
+
+/// Returns the derivative by the speed w of theta'' where torques drive the shafts, at constant accelerations.
+static vec running_torques_by_speed(const running_vector *own, vec w, vec c, vec s, vec inertia) {
+    const running_rotor *r = own->r;
+    const vec unit = running_shaft_number(own, SHAFT_UNIT), speed = v_mul(w, unit);
+    const vec twice = v_mul(v_set(2.0), running_shaft_number(own, SHAFT_QUADRATIC));
+    const vec load = v_fma(twice, speed, running_shaft_number(own, SHAFT_LINEAR));
+    const vec fall = v_mul(unit, v_add(running_shaft_number(own, SHAFT_FALL), load));
+    vec sum = v_sub(v_set(0.0), v_div(fall, running_shaft_number(own, SHAFT_SQUARE)));
+    for (size_t j = 0; j < r->lanes.lever_count; j++) {
+        const vec a = own->a[r->lanes.lever[j] * own->stride + own->k];
+        const vec by_speed = v_mul(v_mul(v_set(2.0), w), running_lever_number(own, j, LEVER_UNIT));
+        sum = v_fma(running_lever(own, j, c, s), v_mul(by_speed, a), sum);
+    }
+    return v_div(sum, inertia);
 }
 
 /// Adds the effect of theta'' to the accelerations by the angle, and writes the slopes of speed and time.
@@ -153,11 +180,79 @@ static void running_add_turn(const running_vector *own, vec w, vec all) {
     own->a[at + own->stride] = inverse;
 }
 
+/// Evaluates the slopes of the rotors with the numbers at the present speeds times `share`, for the state alone.
+static void running_slopes_near(const lanes_view *view, double share, vec *slopes) {
+    lanes_view rotors = running_rotor_view(view);
+    rotors.tangents = 0;
+    rotors.columns = NULL;
+    rotors.a = slopes;
+    running_put_numbers(view, share);
+    ISA(machine_flow)(&rotors);
+}
+
+/// Adds the derivative of the rotor's slopes by the speed, through numbers, to the unit perturbation of the speed.
+static void running_add_numbers(const lanes_view *view, const running_vector *own) {
+    const running_rotor *r = own->r;
+    const size_t degrees = r->rotor->lanes.degrees, stride = own->stride, k = own->k;
+    const size_t next = (r->form.degrees + r->form.states) * stride;
+    const vec *nearby = running_row(own, r->lanes.nearby);
+    vec *by_speed = own->a + (1 + view->columns[degrees + running_speed_row(r)]) * next + k;
+    const vec apart = v_div(v_set(1.0 / running_apart), running_speed(own));
+    for (size_t i = 0; i < (degrees + r->rotor->lanes.states) * stride; i += stride)
+        by_speed[i] = v_fma(v_sub(nearby[i], own->a[i + k]), apart, by_speed[i]);
+}
+
+enum { TURN_ALL, TURN_W, TURN_C, TURN_S, TURN_INERTIA, TURN_NUMBERS };
+
+/// Adds the effect of theta'' to the slopes of unit perturbations. Those of the state are still without it. turn:
+/// theta'', the speed, cosine and sine of the shaft's angle, and the inertia of driven shafts.
+static void running_add_units(const lanes_view *view, const running_vector *own, const vec turn[TURN_NUMBERS]) {
+    const running_rotor *r = own->r;
+    const size_t degrees = r->rotor->lanes.degrees, stride = own->stride, k = own->k, at = running_speed_row(r);
+    const size_t next = (r->form.degrees + r->form.states) * stride;
+    const size_t *const unit_v = view->columns + degrees;
+    const vec w = turn[TURN_W], inverse = v_div(v_set(1.0), w), slope = v_mul(turn[TURN_ALL], inverse);
+    const vec share = v_mul(slope, inverse), zero = v_set(0.0);
+    const vec driven = r->driven ? running_shaft_number(own, SHAFT_DRIVEN) : zero;
+    // Add the derivative of theta'' to each perturbation, and that of the factor of theta'' in the slopes.
+    for (size_t n = 1; n <= view->tangents; n++) {
+        if (!r->driven && n != 1 + unit_v[at]) continue; // theta'' is given
+        vec *a = own->a + n * next + k, all = zero, by = zero;
+        const vec moved = own->v[n * next + at * stride + k]; // of the speed
+        if (r->driven) {
+            for (size_t j = 0; j < r->lanes.lever_count; j++) {
+                const vec lever =
+                    v_mul(running_lever(own, j, turn[TURN_C], turn[TURN_S]), running_lever_number(own, j, LEVER_UNIT));
+                all = v_fma(v_mul(lever, v_mul(w, w)), a[r->lanes.lever[j] * stride], all);
+            }
+            all = v_div(all, turn[TURN_INERTIA]);
+            all = v_fma(moved, running_torques_by_speed(own, w, turn[TURN_C], turn[TURN_S], turn[TURN_INERTIA]), all);
+            all = v_mul(driven, all);
+        }
+        // share = theta''/w^2
+        by = v_mul(v_mul(inverse, inverse), v_fnma(v_mul(v_mul(v_set(2.0), slope), moved), v_set(1.0), all));
+        for (size_t i = 0; i < degrees; i++) a[i * stride] = v_fnma(by, own->v[i * stride + k], a[i * stride]);
+        for (size_t j = 0; j < r->lanes.lever_count; j++) {
+            vec *lever = a + r->lanes.lever[j] * stride;
+            *lever = v_fma(by, *running_row(own, r->lanes.now + j), *lever);
+        }
+        a[at * stride] = v_mul(inverse, v_fnma(slope, moved, all));
+        a[(at + 1) * stride] = v_mul(v_mul(inverse, inverse), v_sub(zero, moved));
+    }
+    // The slopes of velocities fall by theta''/w^2 times the velocities.
+    for (size_t i = 0; i < degrees; i++) {
+        vec *a = own->a + (1 + unit_v[i]) * next + i * stride + k;
+        *a = v_sub(*a, share);
+    }
+}
+
 void ISA(running_flow)(const lanes_view *view) {
     const running_rotor *r = view->model;
     const lanes_view rotors = running_rotor_view(view);
     const vec way = v_set(r->rotor->way);
-    // Compute the slopes of the rotors at constant speeds.
+    // Compute the slopes of the rotors at constant speeds, and for perturbations at speeds nearby.
+    if (view->tangents > 0)
+        running_slopes_near(view, 1.0 + running_apart, (vec *)view->numbers + r->lanes.nearby * view->stride);
     running_put_numbers(view, 1.0);
     ISA(machine_flow)(&rotors);
     if (r->driven && r->rotor->contact_count > 0) {
@@ -169,13 +264,16 @@ void ISA(running_flow)(const lanes_view *view) {
         const running_vector own = running_vector_of(view, k);
         const vec w = running_speed(&own);
         const vec c = own.forcing[COS_TAU * own.stride + k], s = own.forcing[SIN_TAU * own.stride + k];
-        vec all = running_shaft_number(&own, SHAFT_RATE);
+        vec turn[TURN_NUMBERS] = {running_shaft_number(&own, SHAFT_RATE), w, v_mul(way, c), v_mul(way, s), v_set(1.0)};
+        if (view->tangents > 0) running_add_numbers(view, &own);
         running_put_levers(&own, c, s, way);
         if (r->driven) {
             const vec_mask driven = v_less(v_set(0.5), running_shaft_number(&own, SHAFT_DRIVEN));
-            all = v_select(driven, running_by_torques(&own, w, v_mul(way, c), v_mul(way, s)), all);
+            const vec all = running_by_torques(&own, w, turn[TURN_C], turn[TURN_S], &turn[TURN_INERTIA]);
+            turn[TURN_ALL] = v_select(driven, all, turn[TURN_ALL]);
         }
-        running_add_turn(&own, w, all);
+        if (view->tangents > 0) running_add_units(view, &own, turn);
+        running_add_turn(&own, w, turn[TURN_ALL]);
     }
 }
 
