@@ -510,4 +510,53 @@ static inline void v_transpose(const double from[VECTOR_LANES][8], vec to[8]) {
 }
 #endif
 
+// ---------------------------------------------------------------- rows of one machine
+
+/// Sets of one lane have quads, too: four rows of one machine side by side, each of which takes the operations that
+/// vec takes.
+#define VECTOR_QUADS (VECTOR_ISA == VECTOR_SCALAR || VECTOR_ISA == VECTOR_FMA)
+
+#if VECTOR_ISA == VECTOR_FMA
+#include <immintrin.h>
+typedef __m256d quad;
+static inline quad q_set(double a) {
+    return _mm256_set1_pd(a);
+}
+static inline quad q_load(const double *from) {
+    return _mm256_loadu_pd(from);
+}
+static inline void q_store(double *to, quad a) {
+    _mm256_storeu_pd(to, a);
+}
+static inline quad q_mul(quad a, quad b) {
+    return _mm256_mul_pd(a, b);
+}
+static inline quad q_fma(quad a, quad b, quad c) {
+    return _mm256_fmadd_pd(a, b, c);
+}
+#elif VECTOR_ISA == VECTOR_SCALAR
+typedef struct quad {
+    double of[4];
+} quad;
+static inline quad q_set(double a) {
+    return (quad){{a, a, a, a}};
+}
+static inline quad q_load(const double *from) {
+    quad out;
+    memcpy(&out, from, sizeof out);
+    return out;
+}
+static inline void q_store(double *to, quad a) {
+    memcpy(to, &a, sizeof a);
+}
+static inline quad q_mul(quad a, quad b) {
+    for (int i = 0; i < 4; i++) a.of[i] *= b.of[i];
+    return a;
+}
+static inline quad q_fma(quad a, quad b, quad c) {
+    for (int i = 0; i < 4; i++) c.of[i] = v_fma(a.of[i], b.of[i], c.of[i]);
+    return c;
+}
+#endif
+
 #endif

@@ -66,7 +66,7 @@ typedef struct body_panels {
     body_panel *panels;
     body_part *parts;
     unsigned *columns;
-    double *numbers;
+    double *numbers; ///< followed by PANEL_ROWS more in a rotor, which kernels may read
 } body_panels;
 
 /// Returns the column with index c of row r: shared columns come first, then those of the row alone.

@@ -74,7 +74,7 @@ whirl_status coupling_fill(coupling *out, const assembly *from) {
         for (size_t j = 0; j < n; j++) {
             const double root = sqrt(from->inertia[out->row[j]] / from->inertia[out->row[i]]);
             out->share[i * n + j] *= root * from->unit[out->row[j]] / from->unit[out->row[i]];
-            out->columns[j * n + i] = out->share[i * n + j];
+            out->columns[j * out->apart + i] = out->share[i * n + j];
         }
     return whirl_ok();
 }

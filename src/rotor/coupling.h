@@ -7,13 +7,16 @@
 
 #include "assembly.h"
 
+enum { COUPLING_MARGIN = 16 }; ///< numbers behind each column, which kernels may read
+
 typedef struct coupling {
     size_t count;    ///< number of coupled coordinates
     size_t *row;     ///< [count] their indices; those of one group are adjacent
     size_t *end;     ///< [count] end of the group of each coordinate
     size_t *place;   ///< [degrees] index among the coupled coordinates; NO_COORDINATE for others
     double *share;   ///< [count][count] C
-    double *columns; ///< [count][count] C, column by column
+    double *columns; ///< [count + 1][apart] C, column by column; 0 where no row is
+    size_t apart;    ///< distance of columns: count + COUPLING_MARGIN
 } coupling;
 
 /// Returns a number of C: the acceleration of `row` by a force that would give `by` alone an acceleration of 1.

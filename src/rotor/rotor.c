@@ -69,12 +69,13 @@ static size_t rotor_lay_out(whirl_rotor *rotor, char *block, const building *b) 
         cut(block, &used, contacts * sizeof *rotor->contact_names),
         cut(block, &used, coupled * sizeof *rotor->coupled.row),
         cut(block, &used, (coupled ? b->assembly.degrees : 0) * sizeof *rotor->coupled.place),
-        cut(block, &used, 2 * coupled * coupled * sizeof *rotor->coupled.share),
+        cut(block, &used,
+            (coupled * coupled + (coupled + 1) * (coupled + COUPLING_MARGIN)) * sizeof *rotor->coupled.share),
         cut(block, &used, coupled * sizeof *rotor->coupled.end),
         cut(block, &used, shafts->count * sizeof *shafts->panels),
         cut(block, &used, shafts->part_count * sizeof *shafts->parts),
         cut(block, &used, shafts->column_count * sizeof *shafts->columns),
-        cut(block, &used, shafts->number_count * sizeof *shafts->numbers),
+        cut(block, &used, (shafts->number_count + PANEL_ROWS) * sizeof *shafts->numbers),
         cut(block, &used, b->between_count * sizeof *rotor->between),
         cut(block, &used, b->assembly.frequency_count * sizeof *rotor->frequencies),
         cut(block, &used, b->assembly.runout_count * sizeof *rotor->runouts),
@@ -116,6 +117,7 @@ static size_t rotor_lay_out(whirl_rotor *rotor, char *block, const building *b) 
     rotor->coupled.place = parts[11];
     rotor->coupled.share = parts[12];
     rotor->coupled.columns = rotor->coupled.share + coupled * coupled;
+    rotor->coupled.apart = coupled + COUPLING_MARGIN;
     rotor->coupled.end = parts[13];
     rotor->body.panels = parts[14];
     rotor->body.parts = parts[15];

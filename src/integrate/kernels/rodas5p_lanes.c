@@ -177,7 +177,7 @@ VECTOR_INLINE void decompose_some(const adaptive_lanes *lanes, size_t stride, si
     FOR_COUNT VECTORS(rodas5p.doubtful)[k + c] = doubt[c];
 }
 
-#if VECTOR_ISA == VECTOR_SCALAR || VECTOR_ISA == VECTOR_FMA
+#if VECTOR_QUADS
 /// Subtracts two columns from x, each times its factor. Loops go over whole quads of rows, so that compilers make
 /// vectors without a rest.
 VECTOR_INLINE void subtract_two(double *restrict x, const double *restrict first, double by_first,
@@ -272,7 +272,7 @@ static void solve_alone(const adaptive_lanes *lanes, double *u_q, double *u_v) {
 #endif
 
 static void decompose(const adaptive_lanes *lanes, vectors of) {
-#if VECTOR_ISA == VECTOR_SCALAR || VECTOR_ISA == VECTOR_FMA
+#if VECTOR_QUADS
     if (lanes->rodas5p.sparsity->dense) {
         decompose_alone(lanes);
         return;
@@ -321,7 +321,7 @@ VECTOR_INLINE void solve_some(const adaptive_lanes *lanes, size_t stride, size_t
 }
 
 static void rodas5p_solve(const adaptive_lanes *lanes, vectors of, vec *u_q, vec *u_v) {
-#if VECTOR_ISA == VECTOR_SCALAR || VECTOR_ISA == VECTOR_FMA
+#if VECTOR_QUADS
     if (lanes->rodas5p.sparsity->dense) {
         solve_alone(lanes, u_q, u_v);
         return;

@@ -85,51 +85,59 @@ VECTOR_INLINE void sum_rows(const body_panels *of, const body_panel *panel, cons
     for (; k < vectors; k++) sum_panel(of, panel, w, first, rows, 1, k);
 }
 
-#if VECTOR_ISA == VECTOR_SCALAR || VECTOR_ISA == VECTOR_FMA
-/// Adds the columns of a part to the sums of `rows` rows, for one machine. Compilers make vectors of rows.
-VECTOR_INLINE void add_part_alone(const body_panels *of, const body_part *part, const panel_work *w, size_t rows,
-                                  double *sum) {
+#if VECTOR_QUADS
+enum { PANEL_QUADS = PANEL_ROWS / 4 };
+
+/// Adds the columns of a part to the sums of a panel's rows, for one machine. Sums of missing rows are meaningless.
+VECTOR_INLINE void add_part_alone(const body_panels *of, const body_part *part, const panel_work *w, size_t quads,
+                                  quad sum[PANEL_QUADS]) {
     const double *x = part->kind.source == BODY_PLACE ? w->q : w->v, *number = of->numbers + part->first_number;
     const unsigned *column = of->columns + part->first_column;
-    for (size_t c = 0; c < part->common; c++, number += rows) {
-        const double own = x[*column++];
-        for (size_t r = 0; r < rows; r++) sum[r] = v_fma(number[r], own, sum[r]);
+    for (size_t c = 0; c < part->common; c++, number += w->rows) {
+        const quad own = q_set(x[*column++]);
+        VECTOR_FOR (i, quads) sum[i] = q_fma(q_load(number + 4 * i), own, sum[i]);
     }
-    for (size_t c = 0; c < part->lone; c++, number += rows, column += rows)
-        for (size_t r = 0; r < rows; r++) sum[r] = v_fma(number[r], x[column[r]], sum[r]);
+    for (size_t c = 0; c < part->lone; c++, number += w->rows, column += w->rows) {
+        double own[PANEL_ROWS] = {0.0};
+        for (size_t r = 0; r < w->rows; r++) own[r] = x[column[r]];
+        VECTOR_FOR (i, quads) sum[i] = q_fma(q_load(number + 4 * i), q_load(own + 4 * i), sum[i]);
+    }
 }
 
-/// Computes the sums of a panel of `rows` rows as sum_panel does, for one machine.
-VECTOR_INLINE void sum_panel_alone(const body_panels *of, const body_panel *panel, const panel_work *w, size_t rows) {
+/// Computes the sums of a panel of up to 4 * `quads` rows as sum_panel does, for one machine.
+VECTOR_INLINE void sum_panel_alone(const body_panels *of, const body_panel *panel, const panel_work *w, size_t quads) {
     const body_part *part = of->parts + panel->first_part, *end = part + panel->part_count;
     body_rate rate = part->kind.rate;
-    double sum[PANEL_ROWS] = {0.0};
+    quad sum[PANEL_QUADS];
+    double sums[PANEL_ROWS];
+    VECTOR_FOR (i, quads) sum[i] = q_set(0.0);
     for (; part < end; rate = part++->kind.rate) {
         if (rate != part->kind.rate) {
-            const double factor = *rate_over(w, rate, part->kind.rate);
-            for (size_t r = 0; r < rows; r++) sum[r] = factor * sum[r];
+            const quad factor = q_set(*rate_over(w, rate, part->kind.rate));
+            VECTOR_FOR (i, quads) sum[i] = q_mul(factor, sum[i]);
         }
         if (part->kind.source != BODY_ONE)
-            add_part_alone(of, part, w, rows, sum);
-        else if (!w->beside)
-            for (size_t r = 0; r < rows; r++) sum[r] += of->numbers[part->first_number + r];
+            add_part_alone(of, part, w, quads, sum);
+        else if (!w->beside) // once in all panels of a row, so that its sum need not be fast
+            VECTOR_FOR (i, quads) sum[i] = q_fma(q_set(1.0), q_load(of->numbers + part->first_number + 4 * i), sum[i]);
     }
     const double last = *rate_over(w, rate, RATES), scale = w->value ? last * *w->value : last;
-    for (size_t r = 0; r < rows; r++) {
+    VECTOR_FOR (i, quads) q_store(sums + 4 * i, sum[i]);
+    for (size_t r = 0; r < w->rows; r++) {
         double *a = w->a + panel->row[r];
-        *a = panel->begins ? scale * sum[r] : v_fma(scale, sum[r], *a);
+        *a = panel->begins ? scale * sums[r] : v_fma(scale, sums[r], *a);
     }
 }
 #endif
 
 static void pass_panel(const body_panels *of, const body_panel *panel, const panel_work *w, size_t vectors) {
     size_t first = 0;
-#if VECTOR_ISA == VECTOR_SCALAR || VECTOR_ISA == VECTOR_FMA
+#if VECTOR_QUADS
     if (w->stride == 1) {
-        if (w->rows == PANEL_ROWS)
-            sum_panel_alone(of, panel, w, PANEL_ROWS);
+        if (w->rows > 4)
+            sum_panel_alone(of, panel, w, 2);
         else
-            sum_panel_alone(of, panel, w, w->rows);
+            sum_panel_alone(of, panel, w, 1);
         return;
     }
 #endif
@@ -171,11 +179,18 @@ static void pass_units(const body_panels *of, const body_panel *panel, const pan
         for (size_t k = 0; k < b->vectors; k++) {
             const double *number = of->numbers + part->first_number;
             const vec last = rate_over(w, part->kind.rate, RATES)[k], rate = w->value ? v_mul(last, w->value[k]) : last;
-            for (size_t c = 0; c < part->common + part->lone; c++)
+            for (size_t c = 0; c < part->common; c++) {
+                vec *a = column_of(b, unit[of->columns[part->first_column + c]]) + k;
                 for (size_t r = 0; r < panel->rows; r++, number++) {
-                    const size_t column = unit[body_column(of, part, panel->rows, c, r)];
-                    vec *a = column_of(b, column) + panel->row[r] * b->stride + k;
-                    *a = v_fma(rate, v_set(*number), *a);
+                    vec *own = a + panel->row[r] * b->stride;
+                    *own = v_fma(rate, v_set(*number), *own);
+                }
+            }
+            const unsigned *column = of->columns + part->first_column + part->common;
+            for (size_t c = 0; c < part->lone; c++)
+                for (size_t r = 0; r < panel->rows; r++, number++) {
+                    vec *own = column_of(b, unit[*column++]) + panel->row[r] * b->stride + k;
+                    *own = v_fma(rate, v_set(*number), *own);
                 }
         }
     }
@@ -245,23 +260,38 @@ VECTOR_INLINE void couple_some(const coupling *by, size_t begin, size_t end, siz
     for (; row < end; row++) couple_rows(by, row, 1, begin, end, g, count, a, stride);
 }
 
-#if VECTOR_ISA == VECTOR_SCALAR || VECTOR_ISA == VECTOR_FMA
-/// Couples one group of coordinates of one machine, column by column. Compilers make vectors of rows.
+#if VECTOR_QUADS
+/// Computes up to 4 * `quads` rows of C times g.
+VECTOR_INLINE void couple_quads(const double *column, size_t apart, const double *g, size_t count, size_t quads,
+                                double *out) {
+    quad sum[4];
+    VECTOR_FOR (i, quads) sum[i] = q_set(0.0);
+    for (size_t j = 0; j < count; j++, column += apart)
+        VECTOR_FOR (i, quads) sum[i] = q_fma(q_load(column + 4 * i), q_set(g[j]), sum[i]);
+    VECTOR_FOR (i, quads) q_store(out + 4 * i, sum[i]);
+}
+
+/// Couples one group of coordinates of one machine.
 static void couple_alone(const coupling *by, size_t begin, size_t end, double *a) {
-    double g[AXES * WHIRL_MAX_STATIONS], sum[AXES * WHIRL_MAX_STATIONS];
-    const size_t count = end - begin;
-    const size_t *row = by->row + begin;
+    double g[AXES * WHIRL_MAX_STATIONS], sum[AXES * WHIRL_MAX_STATIONS + COUPLING_MARGIN];
+    const size_t count = end - begin, *row = by->row + begin;
+    const double *column = by->columns + begin * by->apart + begin;
     bool any = false;
     for (size_t j = 0; j < count; j++) {
         g[j] = a[row[j]];
         any = any || g[j] != 0.0;
-        sum[j] = 0.0;
     }
     if (!any) return;
-    for (size_t j = 0; j < count; j++) {
-        const double *column = by->columns + (begin + j) * by->count + begin;
-        for (size_t i = 0; i < count; i++) sum[i] = v_fma(column[i], g[j], sum[i]);
-    }
+    size_t i = 0;
+    for (; i + 16 <= count; i += 16) couple_quads(column + i, by->apart, g, count, 4, sum + i);
+    if (i + 12 < count)
+        couple_quads(column + i, by->apart, g, count, 4, sum + i);
+    else if (i + 8 < count)
+        couple_quads(column + i, by->apart, g, count, 3, sum + i);
+    else if (i + 4 < count)
+        couple_quads(column + i, by->apart, g, count, 2, sum + i);
+    else if (i < count)
+        couple_quads(column + i, by->apart, g, count, 1, sum + i);
     for (size_t j = 0; j < count; j++) a[row[j]] = sum[j];
 }
 #endif
@@ -269,7 +299,7 @@ static void couple_alone(const coupling *by, size_t begin, size_t end, double *a
 /// Applies mass coupling: converts forces divided by each coordinate's own inertia to accelerations a = C g.
 static void couple(const block *b) {
     const coupling *by = b->coupled;
-#if VECTOR_ISA == VECTOR_SCALAR || VECTOR_ISA == VECTOR_FMA
+#if VECTOR_QUADS
     for (size_t n = 0; b->stride == 1 && n <= b->perturbations; n++)
         for (size_t begin = 0; begin < by->count; begin = by->end[begin])
             couple_alone(by, begin, by->end[begin], b->a + n * b->next_v);
