@@ -81,6 +81,22 @@ static double number_of_field(const place *p, const char *name, size_t which, si
     return whirl_table_field(p->table, p->point, name, which)[index];
 }
 
+/// Returns what mirrored() returns, for a field of twists about the axis: they turn the other way, so that the least
+/// one becomes the largest. Amplitudes stay.
+static double mirrored_twist(const place *p, const whirl_field *field, size_t which, size_t index, double number) {
+    static const char *const amplitudes[] = {
+        WHIRL_FIELD_SPECTRUM_TWIST_LINES,  WHIRL_FIELD_SPECTRUM_TWIST_AMPLITUDE, WHIRL_FIELD_SPECTRUM_TWIST_SYNCHRONOUS,
+        WHIRL_FIELD_RUNUP_TWIST_AMPLITUDE, WHIRL_FIELD_RUNUP_TWIST_SPECTRUM,     NULL};
+    char names[WHIRL_MAX_COLUMNS][WHIRL_NAME_SIZE];
+    const char *column = whirl_field_column_names(field, names) ? names[index % field->columns] : "";
+    if (strcmp(field->unit, "deg") == 0) return number + 180.0;
+    if (is_one_of(field->name, amplitudes)) return number;
+    const double sign = strcmp(field->unit, "rad") == 0 ? -1.0 : 1.0; // not of times and speeds of extremes
+    if (strcmp(column, "least") == 0) index++;
+    if (strcmp(column, "largest") == 0) index--;
+    return sign * number_of_field(p, field->name, which, index);
+}
+
 /// Returns the number that the mirrored machine (x -> -x, it turns the other way) should have here.
 static double mirrored(const place *p, const whirl_field *field, size_t which, size_t index, double number) {
     static const char *const across[] = {"x", "vx", "x_cos", "x_sin", "kxy", "kyx", "cxy", "cyx", "along x", NULL};
@@ -88,6 +104,8 @@ static double mirrored(const place *p, const whirl_field *field, size_t which, s
     char names[WHIRL_MAX_COLUMNS][WHIRL_NAME_SIZE];
     const char *column = whirl_field_column_names(field, names) ? names[index % field->columns] : "";
     if (strcmp(field->name, WHIRL_FIELD_UNBALANCE_INCLINATION) == 0) return 180.0 - number;
+    if (strstr(field->name, "/twist") && strcmp(field->name, WHIRL_FIELD_MODES_TWIST) != 0)
+        return mirrored_twist(p, field, which, index, number);
     if (strstr(field->name, "lag") && strcmp(field->unit, "deg") == 0)
         return is_one_of(column, late) ? number + 180.0 : number;
     if (strstr(field->meaning, "0-p amplitudes") || !is_one_of(column, across)) return number;
