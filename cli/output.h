@@ -15,7 +15,8 @@ bool output_is_free(const char *path);
 /// computed.
 void keep_private(const char *path);
 
-/// Returns true if `path` is a folder or can become one; otherwise reports that it, or a folder in it, is a file.
+/// Returns true if `path` is a folder or can become one; otherwise reports that it is a file, or that a part of its
+/// path is one.
 bool output_may_be_folder(const char *path);
 
 #endif

@@ -17,7 +17,7 @@ bool plan_formula_value(case_reader *reader, valuation *v, const file_node *wher
 /// notes.
 const setting_list *plan_keep_keys(case_reader *reader, const setting_list *keys);
 
-/// Returns the origin of the batch that is added next.
+/// Returns the origin of the batch that is added next: its places in the case, and the keys it is made from.
 plan_origin *plan_next_origin(study_plan *result);
 
 /// Adds a batch of one point.
@@ -34,8 +34,8 @@ whirl_batch *plan_make_axis(case_reader *reader, valuation *v, const axis_parts 
 void plan_options(valuation *v, const plan_parts *parts, whirl_integrate_options *integrate,
                   whirl_record_options *record);
 
-/// Extends the spectra of a batch to the orders at which parts of a machine act (plus one sideband), unless `keep` has
-/// a limit, and increases the samples to match, unless `keep` has their number.
+/// Extends the spectra of a batch to the orders at which parts of a machine act (plus one sideband), unless the case
+/// gives `highest_order` in its key `keep`. Increases the samples to match, unless `keep` gives `samples`.
 void plan_raise_order(const plan_parts *parts, const whirl_system *system, whirl_batch *batch);
 
 /// Returns the smallest clearance of a film in a housing that stands, or gap of a stator, in length scales; INFINITY if
@@ -46,7 +46,8 @@ double plan_smallest_gap(const whirl_system *system);
 /// that a large length scale does not make the motion in a small gap coarse.
 void plan_lower_tolerance(const plan_parts *parts, const whirl_system *system, whirl_batch *batch);
 
-/// Keeps the keys of the options of a batch of motions in its origin.
+/// Notes in the origin of a batch which keys give its options: `integrate`, `keep`, and those of its points in detail
+/// or of its branches.
 void plan_keep_options(case_reader *reader, const plan_parts *parts, const whirl_batch *batch, plan_origin *origin);
 
 /// Sets the starts of a batch of motions, and their options.

@@ -54,7 +54,8 @@ static speed_range find_speeds(import_reader *reader, const ross_rotor *rotor) {
     range.from = rotor->least >= 0.0 && rotor->least < most ? rotor->least : 0.0;
     range.to = named || !known ? most : high;
     if (!named)
-        range.why = known ? "those of the tables, for the file names none" : "usual ones, for the file names none";
+        range.why =
+            known ? "those of the tables, as the file names no speeds" : "usual ones, as the file names no speeds";
     // Keep them within the tables.
     if (range.from < low || range.to > high) {
         range.from = fmin(fmax(range.from, low), high);
@@ -350,7 +351,8 @@ static void put_film(FILE *out, const ross_rotor *rotor, const ross_bearing *bea
     char text[QUANTITY_SIZE];
     page_quantity(bearing->film->load, "N", text);
     fprintf(out,
-            "    # coefficients of the short film below under %s; in motions with gravity it can replace the bearing\n",
+            "    # coefficients of the short film below under a load of %s; in motions with gravity it can replace "
+            "them\n",
             text);
     fprintf(out, "    # - film: {at: %s", ross_station_at(rotor, bearing->node)->name);
     if (bearing->link >= 0) fprintf(out, ", from: %s", ross_station_at(rotor, bearing->link)->name);

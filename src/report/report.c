@@ -144,7 +144,7 @@ static whirl_status write_figures(report *made, const whirl_result *const *resul
     return whirl_ok();
 }
 
-/// Runs all scripts and notes in the figures whether they were drawn.
+/// Runs all scripts. Each figure of the list then has a flag that it was drawn.
 static whirl_status report_draw(report *made, const char *program) {
     const size_t count = made->figures.count;
     gnuplot_job *jobs = calloc(count + 1, sizeof *jobs);

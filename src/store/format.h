@@ -32,8 +32,8 @@ bool format_reserved(const char *name);
 bool format_is_name(const char *name, int slashes);
 
 /// Writes the dimensions of a field's dataset and returns their number: [points][station or contact][rows][columns]
-/// without rows and columns that are 1, or [points][rows][singles]. Points of a whole map have two dimensions, or three
-/// with planes.
+/// without rows and columns that are 1, or for signals [points][rows][singles] (whirl_field.singles: one a sample).
+/// The points of a whole map have two dimensions, y and x, or three with planes.
 int format_dimensions(const whirl_field *field, shape points, size_t dimensions[SHAPE_MAX_RANK]);
 
 /// Writes the names of these dimensions ("point", "y", "x", "station", "row", ...) and returns their number.

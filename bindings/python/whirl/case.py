@@ -35,7 +35,7 @@ def _scalar(value):
         return "null"
     if isinstance(value, bool):
         return "yes" if value else "no"
-    if isinstance(value, (int, float, np.floating)):  # long doubles of NumPy do not change
+    if isinstance(value, (int, float, np.floating)):  # .item() returns long doubles of NumPy as they are
         return repr(value if isinstance(value, int) else float(value))
     raise TypeError(f"{value!r} cannot stand in a case: expected a text, a number, a list or a dict")
 
@@ -182,7 +182,7 @@ class Case:
 
     @property
     def parameters(self) -> dict[str, Parameter]:
-        """A copy of the parameters by name, with the values of a run; :meth:`set` changes them."""
+        """A copy of the parameters by name, with the values that a run would use; :meth:`set` changes them."""
         return self.outline().parameters
 
     @property

@@ -38,7 +38,7 @@ class BadInput(Error, ValueError):
 
 
 class _OfFile:
-    """Gives errors that are also OSErrors the library's message, and the ``errno`` of their class."""
+    """Base of errors that are also OSErrors: their text is the library's message, their class gives ``errno``."""
 
     _errno: int
 

@@ -25,8 +25,9 @@ export interface RunListener {
   time(seconds: number): void;
   /// Called after another run of several was chosen, by the value of their parameter.
   run(value: number): void;
-  /// Compute the run at the present setting, and end that computation.
+  /// Compute the run at the present setting.
   compute(): void;
+  /// End that computation.
   stop(): void;
 }
 
@@ -391,7 +392,7 @@ function howText(session: Session): string {
   const { result } = model;
   const stored = !model.run;
   const end = stored || model.progress === undefined ? ENDS[runUp?.number(FIELD.RUNUP_END) ?? 0] : undefined;
-  const ended = end ? `; ended ${end === ENDS[0] ? end : `since ${end}`}` : '';
+  const ended = end ? `; ended ${end === ENDS[0] ? end : `because ${end}`}` : '';
   if (stored) return `Stored run${ended}. Compute shows all turns.`;
   if (model.progress !== undefined) return `${model.quick ? 'A quick look' : 'The run'}, computed so far\u2026`;
   const { options, seconds } = result!;

@@ -31,7 +31,7 @@ export class SettingsCard {
 
   constructor(
     private readonly listener: SettingsListener,
-    /// True for the options of motions.
+    /// True if the card has the options of motions (method and lengths).
     private readonly moves = true,
   ) {
     this.parameters = new ParametersView(listener);
@@ -66,7 +66,7 @@ export class SettingsCard {
     );
   }
 
-  /// Builds the fields of method and lengths, folded.
+  /// Builds the fields of method and lengths, in a section that is closed at first.
   private computationFields(): HTMLElement {
     return el(
       'details',

@@ -54,8 +54,8 @@ whirl_status whirl_journal_begin_part(const char *path, const whirl_result *outl
 whirl_status whirl_journal_resume_part(const char *path, const whirl_result *outline, const whirl_journal_part *part,
                                        whirl_journal **journal);
 
-/// Copies points that this journal is for and lacks from another journal of the same study, which another run may be
-/// writing; whirl_journal_look counts them. Errors as those of whirl_journal_resume.
+/// Copies points from another journal of the same study, which another run may be writing: those that this journal is
+/// for and does not have yet. whirl_journal_look counts them. Errors as those of whirl_journal_resume.
 whirl_status whirl_journal_take(whirl_journal *journal, const char *path);
 
 /// Returns true if a run is writing the journal of that name.

@@ -59,8 +59,8 @@ typedef struct whirl_probe {
     const double *units;
 } whirl_probe;
 
-/// A motion of a station besides x and y, for which it has a probe more: its displacement along the shaft, or the twist
-/// of a station that also moves otherwise.
+/// A motion of a station besides x and y, for which the system has one more probe: the displacement along the shaft, or
+/// the twist of a station that does not only twist.
 typedef struct whirl_extra {
     size_t station; ///< index of the station
     bool twists;    ///< the motion is the twist; otherwise the axial displacement
@@ -220,8 +220,8 @@ typedef struct whirl_system {
 
     /// Optional: number of control loops, as of magnetic bearings.
     size_t loop_count;
-    /// Linearizes loop `index` at x: input [dimension], the change of the slopes per signal added to its sensor's, and
-    /// sensed [dimension], the gradient of the sensor's signal by the state.
+    /// Linearizes loop `index` at x: input [dimension] is the derivative of dx/dt by a signal that is added to that of
+    /// the loop's sensor, and sensed [dimension] the gradient of the sensor's signal by the state.
     void (*loop)(const void *model, const double *x, size_t index, double *input, double *sensed);
 
     /// Optional: writes range number `index` of the machine's laws, from 0; the number of ranges is the same for all
@@ -308,9 +308,11 @@ typedef struct whirl_station_statics {
     /// kg, that load over the acceleration of gravity across the shafts; if there is none, the load of the same shaft
     /// lying.
     double carried;
-    double bearings;    ///< number of bearings here
-    double mass[2];     ///< kg of the shaft and its masses to the left and to the right, without the station's own
-    double elevation;   ///< m, of the bearings here, for couplings without moment and shear; 0 if none are named
+    double bearings; ///< number of bearings here
+    double mass[2];  ///< kg of the shaft and its masses to the left and to the right, without the station's own
+    /// m, of the bearings here, at which the named couplings carry neither moment nor shear; 0 if no couplings are
+    /// named.
+    double elevation;
     double axial[2];    ///< N, in the shaft to the left and to the right, > 0 in tension; 0 beyond its ends
     double thrust;      ///< N, of the axial support of a standing shaft, if it is here; else NaN
     double thrust_mass; ///< kg, of that shaft with everything on it
@@ -327,7 +329,7 @@ typedef struct whirl_machine {
     double length;                         ///< m of one unit of displacement
     double cross_coupling;                 ///< N/m, sum over all stages
     double drive_speed;                    ///< rad/s, of the motor of its drive without load; 0: it has no such speed
-    const struct whirl_run_course *course; ///< events and laws of a run (running.h), or NULL; of one thread
+    const struct whirl_run_course *course; ///< events and laws of a run (running.h), or NULL; not shared by threads
     const struct whirl_runup_options *run; ///< options of its run (record.h), in place of those of the study, or NULL
     double delay;                          ///< s, time at which its run begins in the table of a fit; 0 without one
     /// [probe_count] if requested (WHIRL_WITH_STATICS), else NULL; then also `influence`.

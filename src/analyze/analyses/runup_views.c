@@ -26,7 +26,8 @@ whirl_status runup_views_new(const block_view *view, const whirl_runup_options *
     *views = (runup_views){.view = view, .options = options, .system = system, .duration = duration};
     if (turns == 0) return whirl_ok();
     views->clockwise = system->probe_count > 0 && whirl_probe_way(&system->probes[0]) < 0.0;
-    // Torques within a turn are those of orbits, and of shafts that torques turn.
+    // Only orbits need torques within a turn: those on the shaft if torques turn it, and those of each of several
+    // shafts also if one of them has a speed of its own.
     const bool torques = options->orbits > 0 && whirl_runup_driven(options);
     const bool shafts = torques || (options->orbits > 0 && options->shaft_count > 0);
     views->samples = turn_samples_new((size_t)options->samples, whirl_watched_probes(system), contacts,
@@ -138,7 +139,7 @@ static void runup_fill_orbits(runup_views *views, size_t row) {
     runup_fill_instants(views, turn, row);
 }
 
-/// Fills the spectra and orbits whose time comes before the turn that ends at `end`.
+/// Fills the spectra and orbits whose time comes before `end`, the end of a turn, from the turns before this one.
 static whirl_status runup_fill_due(runup_views *views, double end) {
     whirl_status status = whirl_ok();
     const double now = end / (1.0 + 1e-12);
@@ -165,7 +166,8 @@ static void runup_fill_extras(const runup_views *views, size_t station, const do
                 row[1 + 2 * (system->probe_count + i)];
 }
 
-/// Fills a waveform of a station, or of a contact (behind all stations), from the last turns, as many as there are.
+/// Fills a waveform of station number `which`, or of a contact, whose numbers follow those of the stations, from the
+/// last turns; from all that are held if they are fewer than a waveform has.
 static void runup_fill_waveform(const runup_views *views, size_t which, size_t window) {
     const turn_samples *of = &views->samples;
     size_t turns = (size_t)views->options->waveform;

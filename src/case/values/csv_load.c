@@ -1,4 +1,4 @@
-// Tables of numbers from files of either kind, and columns that are chosen from them.
+// Tables of numbers from text files and from files of arrays (HDF5, MAT, universal), and columns chosen from them.
 #include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,7 +10,7 @@
 #include "whirl/internal/arrays.h"
 #include "whirl/internal/csv.h"
 
-/// CSV_MAX_BYTES: largest text file. CSV_MAX_COLUMNS: most columns of a text file from which some are chosen.
+/// CSV_MAX_BYTES: largest text file. CSV_MAX_COLUMNS: most columns that a text file may have if only some are chosen.
 enum { CSV_MAX_BYTES = 1 << 30, CSV_MAX_COLUMNS = 4096 };
 
 bool csv_is_measured(const char *name) {

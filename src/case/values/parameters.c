@@ -306,7 +306,8 @@ static const file_node *outside(case_reader *reader, const parameter_override *o
     return made;
 }
 
-/// Reads a value set from outside: it must have the dimension of the file's value.
+/// Reads the value of a parameter. A value set from outside must have the dimension of the file's value, `expected`;
+/// "" allows any.
 static bool read_quantity(case_reader *reader, const file_node *where, const char *expected, parameter *result) {
     char why[WHY_SIZE];
     quantity read;

@@ -36,7 +36,7 @@ typedef struct cvode {
     SUNLinearSolver linear;
     SUNNonlinearSolver nonlinear;
     N_Vector perturbation[1];            ///< [0] NULL until one was followed
-    SUNNonlinearSolver for_perturbation; ///< solver of Adams
+    SUNNonlinearSolver for_perturbation; ///< for the method of Adams; NULL for BDF
     whirl_perturbations *set;            ///< perturbations of the present revolution, or NULL
     int *roots; ///< [switch_count] directions of roots that CVODE is to find, and the roots found
 } cvode;
@@ -155,7 +155,7 @@ static whirl_status start_bdf(whirl_integrator *integrator) {
     return cvode_start(integrator, CV_BDF);
 }
 
-/// Prepares the stepper that decides sides to carry the perturbation across switches.
+/// Prepares the stepper `sides`, which carries the perturbation across switches.
 static void set_variation(const whirl_integrator *integrator, stepper *sides) {
     const cvode *work = integrator->workspace;
     sides->variation.set = work->set;

@@ -190,11 +190,12 @@ static void describe_deflected(const drawing *of, const figure_place *place, whi
     figure->font = 6.5;
     along_place(of, &along);
     for (size_t i = 0; i < count; i++) add_deflected(figure, of, table, points[i], i + 2 >= count, &along);
-    snprintf(figure->caption, sizeof figure->caption,
-             "Shafts in the response to unbalance, from where they rest, at the points nearest to the largest peaks%s: "
-             "blue x, orange y; full lines when the mark is at the x axis, dashed lines a quarter of a revolution "
-             "later; marks at stations.%s",
-             margin_asked(table) ? " and to both ends of the running speeds" : "", along_caption(&along));
+    snprintf(
+        figure->caption, sizeof figure->caption,
+        "Shafts in the response to unbalance, from where they rest, at the points nearest to the largest peaks (to "
+        "the largest orbit, if there are no peaks)%s: blue x, orange y; full lines when the mark is at the x axis, "
+        "dashed lines a quarter of a revolution later; marks at stations.%s",
+        margin_asked(table) ? " and to both ends of the running speeds" : "", along_caption(&along));
     layout_free(along.layout);
 }
 

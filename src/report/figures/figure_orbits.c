@@ -152,11 +152,12 @@ static void orbits_describe(const drawing *of, const figure_place *place, whirl_
     size_t motions[MAX_MOTIONS], stations[MAX_STATIONS];
     const size_t count = motions_of(table, motions), used = stations_of(of, table, motions, count, stations);
     for (size_t i = 0; i < used; i++) add_station(figure, of, table, stations[i], motions, count);
-    snprintf(figure->caption, sizeof figure->caption,
-             "Orbits of the last revolutions in time, about the middle of every clearance%s: full grey lines are the "
-             "limits of the journal's centre in films and seals, dashed ones stators that may be "
-             "touched; dots mark each revolution, when the mark is at the x axis; arrows show the direction of motion.",
-             used == MAX_STATIONS ? ", of the stations that come nearest to a wall" : "");
+    snprintf(
+        figure->caption, sizeof figure->caption,
+        "Orbits of the motions over their last revolutions, about the middle of every clearance%s: full grey lines "
+        "are the limits of the journal's centre in films and seals, dashed ones stators that may be "
+        "touched; dots mark each revolution, when the mark is at the x axis; arrows show the direction of motion.",
+        used == MAX_STATIONS ? ", of the stations that come nearest to a wall" : "");
 }
 
 const figure_kind orbits_figure = {.list = orbits_list, .describe = orbits_describe};

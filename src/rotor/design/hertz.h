@@ -1,10 +1,10 @@
-/// Contacts of rolling elements of steel: the pressure up to which they are elastic, and the load that causes this
+/// Contacts of rolling elements of steel: the pressure up to which they count as elastic, and the load that causes this
 /// pressure.
 #ifndef ROTOR_HERTZ_H
 #define ROTOR_HERTZ_H
 
-/// Pressure in the middle of the contact, Pa, which leaves a dent of 1e-4 of a rolling element's diameter: that of the
-/// static load ratings of ball and roller bearings, ISO 76.
+/// Pressure in the middle of the contact, Pa, up to which it counts as elastic: the permanent dent is then at most 1e-4
+/// of a rolling element's diameter. It is that of the static load ratings of ball and roller bearings, ISO 76.
 #define HERTZ_MAX_BALL 4.2e9
 #define HERTZ_MAX_ROLLER 4.0e9
 

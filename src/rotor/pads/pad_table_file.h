@@ -13,8 +13,9 @@ uint64_t pad_table_checksum(const pad_table *table);
 /// Returns true if there is a file for such a table. Does not read it.
 bool pad_table_file_is_there(const pad_table_key *key);
 
-/// Reads the coefficients. *found becomes false if there is no plain file, or if the file is damaged, made by other
-/// sources or not confirmed. Errors as pad_table_confirm.
+/// Reads the coefficients. *found becomes false if there is no plain file, or if the file is damaged, was written by
+/// whirl with other sources of the film's solver, or differs from solved films (pad_table_confirm). Errors as those of
+/// pad_table_confirm.
 whirl_status pad_table_file_read(const pad_table_key *key, pad_table *table, bool *found);
 
 /// Saves a table for later runs, atomically. A failure is ignored. Removes the least recently used files beyond

@@ -24,7 +24,8 @@ struct arrays_file {
 
 // ---------------------------------------------------------------- opening
 
-/// Returns true if the source begins as HDF5 files do, before which there may be up to `most` bytes of the user's.
+/// Returns true if the source has the superblock of an HDF5 file, at its beginning or after a block of the user's of up
+/// to `most` bytes.
 static bool source_is_hdf5(const byte_source *source, uint64_t most) {
     uint64_t at;
     return foreign_find_superblock(source, most, &at) == 0 && at < source->size;
@@ -51,8 +52,8 @@ bool arrays_is_bytes(const void *bytes, size_t size) {
     return source_is_file(&source);
 }
 
-/// Ends a call: the status with the file's path, and the dataset's or object's name, before its sentence. Clears it, so
-/// that the file can be read again.
+/// Ends a call: returns the file's status, with the path and the name of the dataset or object (unless NULL) before its
+/// sentence, and clears the status in the file, so that it can be read again.
 static whirl_status arrays_end(arrays_file *file, const char *name) {
     const whirl_status status = file->foreign.status;
     file->foreign.status = whirl_ok();
@@ -191,13 +192,14 @@ static bool attribute_take(void *context, plain_part part) {
     return false;
 }
 
-/// Reads an attribute of an object: a text, or a number.
+/// Reads a text that is an attribute of an object; "" without one.
 static void attribute_text(foreign_file *file, const foreign_object *object, const char *name, char *text,
                            size_t size) {
     attribute_search of = {.file = file, .name = name, .text = text, .size = size};
     *text = '\0';
     foreign_attributes(file, object, attribute_take, &of);
-    // Names and units are shown: what no terminal should obey is none. A text may be padded by blanks.
+    // Names and units are shown: a text that a terminal might obey (control characters) counts as absent. A text may be
+    // padded by blanks.
     for (size_t i = 0, length; text[i]; i += length) {
         length = utf8_length(text + i, strlen(text + i));
         if (utf8_is_plain(text + i, length)) continue;

@@ -1,4 +1,4 @@
-// Points of machines at rest, whose motion is not followed.
+// Points that no recorder follows: machines at rest, and run-ups.
 #include "kinds.h"
 #include "pass.h"
 
@@ -35,7 +35,7 @@ typedef struct long_point {
     double share;       ///< share of them that was reported
     bool continued;     ///< a saved state was read, and nothing was reported since
     double reported;    ///< s, when progress was reported (clock_seconds)
-    bool collected;     ///< `bytes` are of the states that are being collected
+    bool collected;     ///< its state for the next save was collected (long_points.collecting)
     void *bytes;        ///< [size] the latest state; NULL: none
     size_t size;
     double turns; ///< completed turns in that state
@@ -63,7 +63,7 @@ typedef struct worker {
     known_rests rests;      ///< equilibria of this and the neighbouring points
     whirl_critical *found;  ///< [most]
     size_t most, count;
-    double *block;       ///< block of a point whose block stays in the journal
+    double *block;       ///< block of the present point, if the table does not hold blocks: the journal does
     size_t thread;       ///< number of the thread
     long_points lasting; ///< the points that are being computed
 } worker;
@@ -153,7 +153,8 @@ static void long_points_end(long_points *all) {
     all->count = 0;
 }
 
-/// Adds a point that may be long. It continues from its saved state if there is one, and then owns it.
+/// Adds a point that may be long. If a state of it was saved, the point owns a copy of that state and continues from
+/// it.
 static whirl_saving long_point_begin(worker *w, size_t slot) {
     long_point *own = &w->lasting.points[w->lasting.count++];
     *own = (long_point){.run = w->run,
@@ -203,8 +204,8 @@ static whirl_status resting_locate(worker *w, size_t slot, resting_machine *own)
     return whirl_ok();
 }
 
-/// Returns true if other equilibria are looked for: for turning machines with their own bearings, from one value to the
-/// next. The records of a data set have no such order.
+/// Returns true if other equilibria are looked for, from those at the values before and after: for machines that turn,
+/// unless springs replace their bearings. The records of a data set have no order of values.
 static bool looks_elsewhere(const worker *w, const whirl_machine *machine) {
     if (w->batch->dataset) return false;
     const size_t points = w->batch->tolerances.samples > 0 ? w->batch->row : w->table->count;
@@ -301,7 +302,7 @@ typedef struct run_point {
     whirl_batch batch; ///< the batch, with the sample of the point
     resting_place at;
     whirl_saving saving;
-    double *block;            ///< block of a point whose block stays in the journal, else NULL
+    double *block;            ///< its block, if the table does not hold blocks: the journal does; else NULL
     double *rest, *elsewhere; ///< as in whirl_resting
     whirl_run_motion motion;  ///< motion of a record's run, for its sensors
 } run_point;
@@ -440,7 +441,7 @@ static whirl_status work_at_pieces(worker *w, deal *pieces, size_t size) {
 #pragma omp critical(whirl_resting)
         taken = deal_take(pieces, &piece);
         if (!taken) break;
-        // Slots of a share, or dealt slots, come in the same pieces.
+        // If other runs compute a part of the points, w->pass->slots lists this run's: whole pieces of the same size.
         const size_t first = piece * size, after = first + size;
         status = work_at(w, first, after < w->pass->count ? after : w->pass->count);
     }

@@ -283,13 +283,13 @@ static void test_magnets(void **state) {
 /// A film whose dimensions are in the file is written as a comment next to its coefficients.
 static void test_film(void **state) {
     (void)state;
-    expect_line(
-        "BearingElement_Support\"]\n",
-        "CylindricalBearing_Support\"]\nweight = 525.0\nbearing_length = 0.03\njournal_diameter = 0.1\n"
-        "radial_clearance = 1e-4\noil_viscosity = 0.1\n",
-        "    # coefficients of the short film below under 525 N; in motions with gravity it can replace the bearing\n"
-        "    # - film: {at: pedestal, law: short, radius: 0.05 m, length: 0.03 m, clearance: 0.0001 m, "
-        "viscosity: 0.1 Pa s}\n");
+    expect_line("BearingElement_Support\"]\n",
+                "CylindricalBearing_Support\"]\nweight = 525.0\nbearing_length = 0.03\njournal_diameter = 0.1\n"
+                "radial_clearance = 1e-4\noil_viscosity = 0.1\n",
+                "    # coefficients of the short film below under a load of 525 N; in motions with gravity it can "
+                "replace them\n"
+                "    # - film: {at: pedestal, law: short, radius: 0.05 m, length: 0.03 m, clearance: 0.0001 m, "
+                "viscosity: 0.1 Pa s}\n");
 }
 
 /// Checks that a file is refused with a sentence, or gives a valid case.
@@ -525,7 +525,7 @@ static void test_speeds(void **state) {
     expect_line("", "", "  speed: 300 rad/s    # of 0 to 300 rad/s: those that the file names\n");
     expect_line("max_w = 300.0\n", "rated_w = 209.43951023931953\nmax_w = 300.0\n", "  speed: 2000 rpm ");
     expect_line("max_w = 300.0\n", "",
-                "  speed: 400 rad/s    # of 0 to 400 rad/s: those of the tables, for the file names none\n");
+                "  speed: 400 rad/s    # of 0 to 400 rad/s: those of the tables, as the file names no speeds\n");
     expect_note("max_w = 300.0\n", "max_w = 500.0\n",
                 "The study's speeds are cut to those of the tables, 0 to 400 rad/s.");
     expect_line("max_w = 300.0\n", "max_w = 500.0\n", "  speed: 400 rad/s ");
