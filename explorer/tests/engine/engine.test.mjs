@@ -412,7 +412,7 @@ test('vectors of two probes are what any probe between them sees', async () => {
     `600; ${seen(30).join(';')}; ${seen(100).join(';')}\n`;
   const data = new MeasuredData(
     'm.csv',
-    await good(engine.measured({ text: WHEEL }, 'm.csv', new TextEncoder().encode(text))),
+    await good(engine.measured({ text: WHEEL }, 'm.csv', new TextEncoder().encode(text), [])),
   );
   assert.deepEqual([data.kind, data.stations], ['vectors', [0]]);
   within(data.at[0], (600 * Math.PI) / 30, 1e-12, 'the speed');
