@@ -528,6 +528,9 @@ static inline quad q_load(const double *from) {
 static inline void q_store(double *to, quad a) {
     _mm256_storeu_pd(to, a);
 }
+static inline quad q_add(quad a, quad b) {
+    return _mm256_add_pd(a, b);
+}
 static inline quad q_mul(quad a, quad b) {
     return _mm256_mul_pd(a, b);
 }
@@ -548,6 +551,10 @@ static inline quad q_load(const double *from) {
 }
 static inline void q_store(double *to, quad a) {
     memcpy(to, &a, sizeof a);
+}
+static inline quad q_add(quad a, quad b) {
+    for (int i = 0; i < 4; i++) a.of[i] += b.of[i];
+    return a;
 }
 static inline quad q_mul(quad a, quad b) {
     for (int i = 0; i < 4; i++) a.of[i] *= b.of[i];

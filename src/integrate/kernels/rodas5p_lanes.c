@@ -189,68 +189,82 @@ VECTOR_INLINE void subtract_one(double *restrict x, const double *restrict colum
     for (size_t i = 4 * from; i < 4 * to; i++) x[i] = v_fnma(column[i], by, x[i]);
 }
 
-/// Eliminates x by the first `count` columns of a lower factor, whose columns are 4 * quads apart.
-static void eliminate(double *x, const double *lower, size_t quads, size_t count) {
-    const size_t rows = 4 * quads;
-    size_t m = 0;
-    for (; m + 2 <= count; m += 2) {
-        const double *first = lower + m * rows, *second = first + rows, by = x[m];
-        subtract_two(x, first, by, second, v_fnma(first[m + 1], by, x[m + 1]), (m + 1) / 4, quads);
-    }
-    if (m < count) subtract_one(x, lower + m * rows, x[m], (m + 1) / 4, quads);
+/// The factors of the dense matrix of one machine, column by column, with zeros up to whole quads of rows; and a
+/// column.
+typedef struct dense_factors {
+    size_t n, quads, rows; ///< rows: distance of columns, 4 * quads
+    double *lower, *upper; ///< [n][rows]
+    double *pivot;         ///< [n] reciprocals
+    double *x;             ///< [rows] workspace
+} dense_factors;
+
+static dense_factors dense_factors_of(const adaptive_lanes *lanes) {
+    const size_t n = lanes->rates, quads = (n + 3) / 4, rows = 4 * quads;
+    double *lower = lanes->rodas5p.matrix, *upper = lower + n * rows;
+    return (dense_factors){n, quads, rows, lower, upper, lanes->rodas5p.pivot, upper + n * rows};
 }
 
-/// Solves for x with an upper factor of n columns, which are 4 * quads apart.
-static void substitute_back(double *x, const double *upper, const double *pivot, size_t quads, size_t n) {
-    const size_t rows = 4 * quads;
-    size_t j = n;
+/// Eliminates x by the first `count` columns of the lower factor.
+static void eliminate(const dense_factors *of, size_t count) {
+    double *x = of->x;
+    size_t m = 0;
+    for (; m + 2 <= count; m += 2) {
+        const double *first = of->lower + m * of->rows, *second = first + of->rows, by = x[m];
+        subtract_two(x, first, by, second, v_fnma(first[m + 1], by, x[m + 1]), (m + 1) / 4, of->quads);
+    }
+    if (m < count) subtract_one(x, of->lower + m * of->rows, x[m], (m + 1) / 4, of->quads);
+}
+
+/// Solves for x with the upper factor.
+static void substitute_back(const dense_factors *of) {
+    double *x = of->x;
+    size_t j = of->n;
     for (; j >= 2; j -= 2) {
-        const double *last = upper + (j - 1) * rows, *before = last - rows, by = x[j - 1] * pivot[j - 1],
-                     next = v_fnma(last[j - 2], by, x[j - 2]) * pivot[j - 2];
+        const double *last = of->upper + (j - 1) * of->rows, *before = last - of->rows,
+                     by = x[j - 1] * of->pivot[j - 1], next = v_fnma(last[j - 2], by, x[j - 2]) * of->pivot[j - 2];
         subtract_two(x, last, by, before, next, 0, (j + 2) / 4);
         x[j - 1] = by;
         x[j - 2] = next;
     }
-    if (j > 0) x[0] *= pivot[0];
+    if (j > 0) x[0] *= of->pivot[0];
 }
 
-/// Decomposes the dense matrix of one machine. Its factors are stored column by column, with zeros up to whole quads of
-/// rows. Each number takes the operations of decompose_some, in its order.
+/// Decomposes the dense matrix of one machine. Each number takes the operations of decompose_some, in its order.
 static void decompose_alone(const adaptive_lanes *lanes) {
-    const size_t n = lanes->rates, degrees = lanes->degrees, quads = (n + 3) / 4, rows = 4 * quads;
+    const dense_factors of = dense_factors_of(lanes);
+    const size_t n = of.n, degrees = lanes->degrees;
     const double s = *lanes->rodas5p.shift, least = 0x1p-8 * (s * s);
-    double *lower = lanes->rodas5p.matrix, *upper = lower + n * rows, *restrict x = upper + n * rows;
-    double *pivot = lanes->rodas5p.pivot;
+    double *restrict x = of.x;
     const double *by_q = lanes->rodas5p.by + n, *by_v = by_q + degrees * n;
     bool doubtful = !(0.0 < least);
     for (size_t j = 0; j < n; j++) {
         // Fill a column, and eliminate it with the columns before.
-        double *column = lower + j * rows, *above = upper + j * rows;
+        double *below = of.lower + j * of.rows, *above = of.upper + j * of.rows;
         const double *restrict from_q = by_q + j * n, *restrict from_v = by_v + j * n;
         if (j < degrees)
             for (size_t i = 0; i < n; i++) x[i] = v_fnma(s, from_v[i], 0.0 - from_q[i]);
         else
             for (size_t i = 0; i < n; i++) x[i] = v_fnma(s, from_v[i], 0.0);
         x[j] = v_fma(s, s, x[j]);
-        eliminate(x, lower, quads, j);
+        eliminate(&of, j);
         // Invert its pivot, and store the factors.
         doubtful = doubtful || !(least < x[j]);
-        pivot[j] = 1.0 / x[j];
+        of.pivot[j] = 1.0 / x[j];
         for (size_t i = 0; i < j; i++) above[i] = x[i];
         for (size_t i = j; i < 4 * (j / 4 + 1); i++) above[i] = 0.0;
-        for (size_t i = 4 * (j / 4); i <= j; i++) column[i] = 0.0;
-        for (size_t i = j + 1; i < n; i++) column[i] = x[i] * pivot[j];
-        for (size_t i = n; i < rows; i++) column[i] = x[i] = 0.0;
+        for (size_t i = 4 * (j / 4); i <= j; i++) below[i] = 0.0;
+        for (size_t i = j + 1; i < n; i++) below[i] = x[i] * of.pivot[j];
+        for (size_t i = n; i < of.rows; i++) below[i] = x[i] = 0.0;
     }
     *lanes->rodas5p.doubtful = doubtful ? 1.0 : 0.0;
 }
 
 /// Solves the equations of a stage for one machine with the factors of decompose_alone.
 static void solve_alone(const adaptive_lanes *lanes, double *u_q, double *u_v) {
-    const size_t n = lanes->rates, degrees = lanes->degrees, quads = (n + 3) / 4, rows = 4 * quads;
-    const double *lower = lanes->rodas5p.matrix, *upper = lower + n * rows, *pivot = lanes->rodas5p.pivot;
+    const dense_factors of = dense_factors_of(lanes);
+    const size_t n = of.n, degrees = lanes->degrees;
     const double *by_q = lanes->rodas5p.by + n, *right_q = lanes->rodas5p.right_q, s = *lanes->rodas5p.shift;
-    double *restrict x = lanes->rodas5p.matrix + 2 * n * rows;
+    double *restrict x = of.x;
     // Compute the right-hand side s r_v + A r_q.
     for (size_t i = 0; i < n; i++) x[i] = s * u_v[i];
     size_t j = 0;
@@ -263,9 +277,9 @@ static void solve_alone(const adaptive_lanes *lanes, double *u_q, double *u_v) {
     for (; j < degrees; j++)
         for (size_t i = 0; i < n; i++) x[i] = v_fma(right_q[j], by_q[j * n + i], x[i]);
     // Substitute forward and back.
-    for (size_t i = n; i < rows; i++) x[i] = 0.0;
-    eliminate(x, lower, quads, n);
-    substitute_back(x, upper, pivot, quads, n);
+    for (size_t i = n; i < of.rows; i++) x[i] = 0.0;
+    eliminate(&of, n);
+    substitute_back(&of);
     for (size_t i = 0; i < n; i++) u_v[i] = x[i];
     for (size_t i = 0; i < degrees; i++) u_q[i] = rodas5p_gamma * *lanes->length * (x[i] + right_q[i]);
 }

@@ -89,40 +89,40 @@ VECTOR_INLINE void sum_rows(const body_panels *of, const body_panel *panel, cons
 enum { PANEL_QUADS = PANEL_ROWS / 4 };
 
 /// Adds the columns of a part to the sums of a panel's rows, for one machine. Sums of missing rows are meaningless.
-VECTOR_INLINE void add_part_alone(const body_panels *of, const body_part *part, const panel_work *w, size_t quads,
+VECTOR_INLINE void add_part_alone(const body_panels *of, const body_part *part, const panel_work *w,
                                   quad sum[PANEL_QUADS]) {
     const double *x = part->kind.source == BODY_PLACE ? w->q : w->v, *number = of->numbers + part->first_number;
     const unsigned *column = of->columns + part->first_column;
     for (size_t c = 0; c < part->common; c++, number += w->rows) {
         const quad own = q_set(x[*column++]);
-        VECTOR_FOR (i, quads) sum[i] = q_fma(q_load(number + 4 * i), own, sum[i]);
+        VECTOR_FOR (i, PANEL_QUADS) sum[i] = q_fma(q_load(number + 4 * i), own, sum[i]);
     }
     for (size_t c = 0; c < part->lone; c++, number += w->rows, column += w->rows) {
         double own[PANEL_ROWS] = {0.0};
         for (size_t r = 0; r < w->rows; r++) own[r] = x[column[r]];
-        VECTOR_FOR (i, quads) sum[i] = q_fma(q_load(number + 4 * i), q_load(own + 4 * i), sum[i]);
+        VECTOR_FOR (i, PANEL_QUADS) sum[i] = q_fma(q_load(number + 4 * i), q_load(own + 4 * i), sum[i]);
     }
 }
 
-/// Computes the sums of a panel of up to 4 * `quads` rows as sum_panel does, for one machine.
-VECTOR_INLINE void sum_panel_alone(const body_panels *of, const body_panel *panel, const panel_work *w, size_t quads) {
+/// Computes the sums of a panel as sum_panel does, for one machine.
+static void sum_panel_alone(const body_panels *of, const body_panel *panel, const panel_work *w) {
     const body_part *part = of->parts + panel->first_part, *end = part + panel->part_count;
     body_rate rate = part->kind.rate;
     quad sum[PANEL_QUADS];
     double sums[PANEL_ROWS];
-    VECTOR_FOR (i, quads) sum[i] = q_set(0.0);
+    VECTOR_FOR (i, PANEL_QUADS) sum[i] = q_set(0.0);
     for (; part < end; rate = part++->kind.rate) {
         if (rate != part->kind.rate) {
             const quad factor = q_set(*rate_over(w, rate, part->kind.rate));
-            VECTOR_FOR (i, quads) sum[i] = q_mul(factor, sum[i]);
+            VECTOR_FOR (i, PANEL_QUADS) sum[i] = q_mul(factor, sum[i]);
         }
         if (part->kind.source != BODY_ONE)
-            add_part_alone(of, part, w, quads, sum);
-        else if (!w->beside) // once in all panels of a row, so that its sum need not be fast
-            VECTOR_FOR (i, quads) sum[i] = q_fma(q_set(1.0), q_load(of->numbers + part->first_number + 4 * i), sum[i]);
+            add_part_alone(of, part, w, sum);
+        else if (!w->beside)
+            VECTOR_FOR (i, PANEL_QUADS) sum[i] = q_add(sum[i], q_load(of->numbers + part->first_number + 4 * i));
     }
     const double last = *rate_over(w, rate, RATES), scale = w->value ? last * *w->value : last;
-    VECTOR_FOR (i, quads) q_store(sums + 4 * i, sum[i]);
+    VECTOR_FOR (i, PANEL_QUADS) q_store(sums + 4 * i, sum[i]);
     for (size_t r = 0; r < w->rows; r++) {
         double *a = w->a + panel->row[r];
         *a = panel->begins ? scale * sums[r] : v_fma(scale, sums[r], *a);
@@ -134,10 +134,7 @@ static void pass_panel(const body_panels *of, const body_panel *panel, const pan
     size_t first = 0;
 #if VECTOR_QUADS
     if (w->stride == 1) {
-        if (w->rows > 4)
-            sum_panel_alone(of, panel, w, 2);
-        else
-            sum_panel_alone(of, panel, w, 1);
+        sum_panel_alone(of, panel, w);
         return;
     }
 #endif
@@ -261,38 +258,27 @@ VECTOR_INLINE void couple_some(const coupling *by, size_t begin, size_t end, siz
 }
 
 #if VECTOR_QUADS
-/// Computes up to 4 * `quads` rows of C times g.
-VECTOR_INLINE void couple_quads(const double *column, size_t apart, const double *g, size_t count, size_t quads,
-                                double *out) {
-    quad sum[4];
-    VECTOR_FOR (i, quads) sum[i] = q_set(0.0);
-    for (size_t j = 0; j < count; j++, column += apart)
-        VECTOR_FOR (i, quads) sum[i] = q_fma(q_load(column + 4 * i), q_set(g[j]), sum[i]);
-    VECTOR_FOR (i, quads) q_store(out + 4 * i, sum[i]);
-}
+enum { COUPLING_QUADS = COUPLING_MARGIN / 4 };
 
-/// Couples one group of coordinates of one machine.
+/// Couples one group of coordinates of one machine. Rows behind the last of the group are computed, too, and dropped.
 static void couple_alone(const coupling *by, size_t begin, size_t end, double *a) {
-    double g[AXES * WHIRL_MAX_STATIONS], sum[AXES * WHIRL_MAX_STATIONS + COUPLING_MARGIN];
+    double g[AXES * WHIRL_MAX_STATIONS], out[AXES * WHIRL_MAX_STATIONS + COUPLING_MARGIN];
     const size_t count = end - begin, *row = by->row + begin;
-    const double *column = by->columns + begin * by->apart + begin;
     bool any = false;
     for (size_t j = 0; j < count; j++) {
         g[j] = a[row[j]];
         any = any || g[j] != 0.0;
     }
     if (!any) return;
-    size_t i = 0;
-    for (; i + 16 <= count; i += 16) couple_quads(column + i, by->apart, g, count, 4, sum + i);
-    if (i + 12 < count)
-        couple_quads(column + i, by->apart, g, count, 4, sum + i);
-    else if (i + 8 < count)
-        couple_quads(column + i, by->apart, g, count, 3, sum + i);
-    else if (i + 4 < count)
-        couple_quads(column + i, by->apart, g, count, 2, sum + i);
-    else if (i < count)
-        couple_quads(column + i, by->apart, g, count, 1, sum + i);
-    for (size_t j = 0; j < count; j++) a[row[j]] = sum[j];
+    for (size_t first = 0; first < count; first += COUPLING_MARGIN) {
+        const double *column = by->columns + begin * by->apart + begin + first;
+        quad sum[COUPLING_QUADS];
+        VECTOR_FOR (i, COUPLING_QUADS) sum[i] = q_set(0.0);
+        for (size_t j = 0; j < count; j++, column += by->apart)
+            VECTOR_FOR (i, COUPLING_QUADS) sum[i] = q_fma(q_load(column + 4 * i), q_set(g[j]), sum[i]);
+        VECTOR_FOR (i, COUPLING_QUADS) q_store(out + first + 4 * i, sum[i]);
+    }
+    for (size_t j = 0; j < count; j++) a[row[j]] = out[j];
 }
 #endif
 
