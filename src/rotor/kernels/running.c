@@ -120,8 +120,8 @@ static inline vec running_lever(const running_vector *own, size_t j, vec c, vec 
 }
 
 /// Returns theta'' over the square of the unit of speed where torques drive the shafts, from the accelerations by the
-/// angle without it. *whole: the inertia that it divides by.
-static vec running_by_torques(const running_vector *own, vec w, vec c, vec s, vec *whole_inertia) {
+/// angle without it. *by: the inertia by which torques are divided.
+static vec running_by_torques(const running_vector *own, vec w, vec c, vec s, vec *by) {
     const running_rotor *r = own->r;
     const vec speed = v_mul(w, running_shaft_number(own, SHAFT_UNIT)), square = v_mul(w, w);
     const vec pull[3] = {running_shaft_number(own, SHAFT_PULL), running_shaft_number(own, SHAFT_PULL + 1), v_set(0.0)};
@@ -145,7 +145,7 @@ static vec running_by_torques(const running_vector *own, vec w, vec c, vec s, ve
         reaction = v_fma(lever, moved, reaction);
         inertia = v_fnma(v_mul(lever, unit), *running_row(own, r->lanes.now + j), inertia);
     }
-    *whole_inertia = inertia;
+    *by = inertia;
     return v_div(v_add(v_div(whole, running_shaft_number(own, SHAFT_SQUARE)), reaction), inertia);
 }
 
@@ -202,42 +202,56 @@ static void running_add_numbers(const lanes_view *view, const running_vector *ow
         by_speed[i] = v_fma(v_sub(nearby[i], own->a[i + k]), apart, by_speed[i]);
 }
 
-enum { TURN_ALL, TURN_W, TURN_C, TURN_S, TURN_INERTIA, TURN_NUMBERS };
+/// The turn of the shafts in one vector: theta'' over the square of the unit of speed, the speed, cosine and sine of
+/// the angle, and the inertia by which torques are divided.
+typedef struct running_turn {
+    vec all, w, c, s, inertia;
+} running_turn;
 
-/// Adds the effect of theta'' to the slopes of unit perturbations. Those of the state are still without it. turn:
-/// theta'', the speed, cosine and sine of the shaft's angle, and the inertia of driven shafts.
-static void running_add_units(const lanes_view *view, const running_vector *own, const vec turn[TURN_NUMBERS]) {
+/// Writes the derivative of theta'' by every unit perturbation to the row of the speed, which is 0 before, where
+/// torques drive the shafts. Slopes are still without theta''.
+static void running_derive_torques(const lanes_view *view, const running_vector *own, const running_turn *turn) {
+    const running_rotor *r = own->r;
+    const size_t stride = own->stride, at = running_speed_row(r);
+    const size_t next = (r->form.degrees + r->form.states) * stride;
+    const vec driven = running_shaft_number(own, SHAFT_DRIVEN), square = v_mul(turn->w, turn->w);
+    vec *first = own->a + next + own->k, *all = first + at * stride;
+    // Sum the torques of unbalances on the shafts.
+    for (size_t j = 0; j < r->lanes.lever_count; j++) {
+        const vec lever = v_mul(running_lever(own, j, turn->c, turn->s), running_lever_number(own, j, LEVER_UNIT));
+        const vec weight = v_mul(lever, square), *a = first + r->lanes.lever[j] * stride;
+        for (size_t n = 0; n < view->tangents; n++) all[n * next] = v_fma(weight, a[n * next], all[n * next]);
+    }
+    for (size_t n = 0; n < view->tangents; n++) all[n * next] = v_div(all[n * next], turn->inertia);
+    // Add the effect of the speed on torques.
+    vec *by_speed = all + view->columns[r->rotor->lanes.degrees + at] * next;
+    *by_speed = v_add(*by_speed, running_torques_by_speed(own, turn->w, turn->c, turn->s, turn->inertia));
+    for (size_t n = 0; n < view->tangents; n++) all[n * next] = v_mul(driven, all[n * next]);
+}
+
+/// Adds the effect of theta'' to the slopes of unit perturbations. Those of the state are still without it.
+static void running_add_units(const lanes_view *view, const running_vector *own, const running_turn *turn) {
     const running_rotor *r = own->r;
     const size_t degrees = r->rotor->lanes.degrees, stride = own->stride, k = own->k, at = running_speed_row(r);
     const size_t next = (r->form.degrees + r->form.states) * stride;
     const size_t *const unit_v = view->columns + degrees;
-    const vec w = turn[TURN_W], inverse = v_div(v_set(1.0), w), slope = v_mul(turn[TURN_ALL], inverse);
-    const vec share = v_mul(slope, inverse), zero = v_set(0.0);
-    const vec driven = r->driven ? running_shaft_number(own, SHAFT_DRIVEN) : zero;
-    // Add the derivative of theta'' to each perturbation, and that of the factor of theta'' in the slopes.
-    for (size_t n = 1; n <= view->tangents; n++) {
-        if (!r->driven && n != 1 + unit_v[at]) continue; // theta'' is given
-        vec *a = own->a + n * next + k, all = zero, by = zero;
-        const vec moved = own->v[n * next + at * stride + k]; // of the speed
-        if (r->driven) {
-            for (size_t j = 0; j < r->lanes.lever_count; j++) {
-                const vec lever =
-                    v_mul(running_lever(own, j, turn[TURN_C], turn[TURN_S]), running_lever_number(own, j, LEVER_UNIT));
-                all = v_fma(v_mul(lever, v_mul(w, w)), a[r->lanes.lever[j] * stride], all);
-            }
-            all = v_div(all, turn[TURN_INERTIA]);
-            all = v_fma(moved, running_torques_by_speed(own, w, turn[TURN_C], turn[TURN_S], turn[TURN_INERTIA]), all);
-            all = v_mul(driven, all);
-        }
-        // share = theta''/w^2
-        by = v_mul(v_mul(inverse, inverse), v_fnma(v_mul(v_mul(v_set(2.0), slope), moved), v_set(1.0), all));
+    const vec inverse = v_div(v_set(1.0), turn->w), square = v_mul(inverse, inverse);
+    const vec slope = v_mul(turn->all, inverse), share = v_mul(slope, inverse);
+    if (r->driven) running_derive_torques(view, own, turn);
+    // Add the derivative of theta''/w^2, the factor of all effects of theta''. If theta'' is given only the speed has
+    // one.
+    const size_t first = r->driven ? 1 : 1 + unit_v[at], last = r->driven ? view->tangents : first;
+    for (size_t n = first; n <= last; n++) {
+        vec *a = own->a + n * next + k;
+        const vec moved = own->v[n * next + at * stride + k], all = a[at * stride]; // moved: of the speed
+        const vec by = v_mul(square, v_fnma(v_mul(v_set(2.0), slope), moved, all));
         for (size_t i = 0; i < degrees; i++) a[i * stride] = v_fnma(by, own->v[i * stride + k], a[i * stride]);
         for (size_t j = 0; j < r->lanes.lever_count; j++) {
             vec *lever = a + r->lanes.lever[j] * stride;
             *lever = v_fma(by, *running_row(own, r->lanes.now + j), *lever);
         }
         a[at * stride] = v_mul(inverse, v_fnma(slope, moved, all));
-        a[(at + 1) * stride] = v_mul(v_mul(inverse, inverse), v_sub(zero, moved));
+        a[(at + 1) * stride] = v_mul(square, v_sub(v_set(0.0), moved));
     }
     // The slopes of velocities fall by theta''/w^2 times the velocities.
     for (size_t i = 0; i < degrees; i++) {
@@ -250,7 +264,7 @@ void ISA(running_flow)(const lanes_view *view) {
     const running_rotor *r = view->model;
     const lanes_view rotors = running_rotor_view(view);
     const vec way = v_set(r->rotor->way);
-    // Compute the slopes of the rotors at constant speeds, and for perturbations at speeds nearby.
+    // Compute the slopes of the rotors at constant speeds, and for perturbations at a speed nearby.
     if (view->tangents > 0)
         running_slopes_near(view, 1.0 + running_apart, (vec *)view->numbers + r->lanes.nearby * view->stride);
     running_put_numbers(view, 1.0);
@@ -264,16 +278,16 @@ void ISA(running_flow)(const lanes_view *view) {
         const running_vector own = running_vector_of(view, k);
         const vec w = running_speed(&own);
         const vec c = own.forcing[COS_TAU * own.stride + k], s = own.forcing[SIN_TAU * own.stride + k];
-        vec turn[TURN_NUMBERS] = {running_shaft_number(&own, SHAFT_RATE), w, v_mul(way, c), v_mul(way, s), v_set(1.0)};
+        running_turn turn = {running_shaft_number(&own, SHAFT_RATE), w, v_mul(way, c), v_mul(way, s), v_set(1.0)};
         if (view->tangents > 0) running_add_numbers(view, &own);
         running_put_levers(&own, c, s, way);
         if (r->driven) {
             const vec_mask driven = v_less(v_set(0.5), running_shaft_number(&own, SHAFT_DRIVEN));
-            const vec all = running_by_torques(&own, w, turn[TURN_C], turn[TURN_S], &turn[TURN_INERTIA]);
-            turn[TURN_ALL] = v_select(driven, all, turn[TURN_ALL]);
+            const vec all = running_by_torques(&own, w, turn.c, turn.s, &turn.inertia);
+            turn.all = v_select(driven, all, turn.all);
         }
-        if (view->tangents > 0) running_add_units(view, &own, turn);
-        running_add_turn(&own, w, turn[TURN_ALL]);
+        if (view->tangents > 0) running_add_units(view, &own, &turn);
+        running_add_turn(&own, w, turn.all);
     }
 }
 
