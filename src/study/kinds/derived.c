@@ -399,7 +399,7 @@ static void path_extreme(const derived_path *path, double sign, double *out) {
     const size_t all = path->all, width = path->width;
     size_t at = 0;
     if (all == 0) return;
-    double best = -INFINITY, f[5], first, second, t = 0.0;
+    double best = -INFINITY, f[FIVE];
     for (size_t k = 0; k < all; k++) {
         const double radius = sign * hypot(path->x[k * width], path->y[k * width]);
         if (radius > best) at = k;
@@ -412,11 +412,7 @@ static void path_extreme(const derived_path *path, double sign, double *out) {
         const double x = path->x[near[i] * width], y = path->y[near[i] * width];
         f[i] = x * x + y * y;
     }
-    for (int i = 0; i < 8; i++) {
-        five_points(f, t, &first, &second);
-        if (sign * second < 0.0) t = fmin(fmax(t - first / second, -1.0), 1.0);
-    }
-    const double square = five_points(f, t, NULL, NULL);
+    const double t = five_points_extreme(f, sign), square = five_points(f, t, NULL, NULL);
     out[0] = sqrt(fmax(square, 0.0));
     for (size_t p = 1; p < width; p++) {
         for (size_t i = 0; i < 5; i++) {
@@ -431,16 +427,13 @@ static void path_extreme(const derived_path *path, double sign, double *out) {
 static void path_end(const derived_path *path, double sign, double *out) {
     const size_t all = path->all, width = path->width;
     size_t at = 0, near[5];
-    double f[5], first, second, t = 0.0;
+    double f[FIVE];
     if (all == 0) return;
     for (size_t k = 1; k < all; k++)
         if (sign * path->x[k * width] > sign * path->x[at * width]) at = k;
     for (size_t i = 0; i < 5; i++) near[i] = (at + all + i - 2) % all;
     for (size_t i = 0; i < 5; i++) f[i] = path->x[near[i] * width];
-    for (int i = 0; i < 8; i++) {
-        five_points(f, t, &first, &second);
-        if (sign * second < 0.0) t = fmin(fmax(t - first / second, -1.0), 1.0);
-    }
+    const double t = five_points_extreme(f, sign);
     for (size_t p = 0; p < width; p++) {
         for (size_t i = 0; i < 5; i++) f[i] = path->x[near[i] * width + p];
         out[p] = five_points(f, t, NULL, NULL);

@@ -135,16 +135,13 @@ static whirl_status varied_extreme_slopes(const varied_machine *m, const whirl_o
     whirl_status status = whirl_ok();
     if (at == all) status = whirl_fail(WHIRL_NUMERICAL_FAILURE, "the graze has no extreme");
     // Derive the function at five instants, and take the derivatives at the extreme between them.
-    double f[FIVE], first, second, t = 0.0;
+    double f[FIVE];
     for (size_t i = 0; i < FIVE && at < all; i++) {
         const size_t k = (at + all + i - FIVE / 2) % all;
         f[i] = values[k];
         varied_switch_slopes(m, s, k, index, work, rows + i * s->count);
     }
-    for (int i = 0; i < 8 && at < all; i++) {
-        five_points(f, t, &first, &second);
-        if (second != 0.0) t = fmin(fmax(t - first / second, -1.0), 1.0);
-    }
+    const double t = at < all ? five_points_extreme(f, 0.0) : 0.0;
     for (size_t p = 0; p < s->count && at < all; p++) {
         for (size_t i = 0; i < FIVE; i++) f[i] = rows[i * s->count + p];
         slopes[p] = five_points(f, t, NULL, NULL);
