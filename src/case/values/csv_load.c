@@ -65,41 +65,38 @@ static bool csv_is_unit(const char *unit) {
 
 /// Replaces the columns of a table by chosen ones.
 static whirl_status csv_choose(csv_table *table, const csv_chosen *chosen, size_t count) {
-    csv_column *columns = calloc(count, sizeof *columns);
-    double *numbers = malloc((count * table->count + 1) * sizeof *numbers);
-    const csv_table all = *table;
+    csv_table own = *table;
+    own.columns = calloc(count, sizeof *own.columns);
+    own.numbers = malloc((count * table->count + 1) * sizeof *own.numbers);
+    own.column_count = count;
+    own.capacity = table->count;
     whirl_status status =
-        columns && numbers ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for columns of a table");
+        own.columns && own.numbers ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for columns of a table");
     for (size_t i = 0; i < count && status.code == WHIRL_OK; i++) {
         char text[CSV_TEXT];
-        const size_t from = csv_find(&all, chosen[i].dataset);
-        if (from == all.column_count) {
-            status = csv_fail_unknown(&all, chosen[i].dataset);
+        csv_column *column = &own.columns[i];
+        const size_t from = csv_find(table, chosen[i].dataset);
+        if (from == table->column_count) {
+            status = csv_fail_unknown(table, chosen[i].dataset);
             break;
         }
+        // A unit of the heading must be that of the file, and stands for a missing one.
+        const char *unit = table->columns[from].unit;
         snprintf(text, sizeof text, "%s", chosen[i].heading);
-        columns[i] = all.columns[from];
-        columns[i].unit[0] = '\0';
-        csv_part(&columns[i], text);
-        table->columns = columns;
-        if (*columns[i].unit && csv_is_unit(all.columns[from].unit))
-            status = csv_check_unit(table, i, all.columns[from].unit);
-        else if (!*columns[i].unit)
-            memcpy(columns[i].unit, all.columns[from].unit, sizeof columns[i].unit);
-        table->columns = all.columns;
-        memcpy(numbers + i * all.count, csv_numbers(&all, from), all.count * sizeof *numbers);
+        *column = table->columns[from];
+        column->unit[0] = '\0';
+        csv_part(column, text);
+        if (!*column->unit)
+            memcpy(column->unit, unit, sizeof column->unit);
+        else if (csv_is_unit(unit))
+            status = csv_check_unit(&own, i, unit);
+        memcpy(own.numbers + i * table->count, csv_numbers(table, from), table->count * sizeof *own.numbers);
     }
-    if (status.code != WHIRL_OK) {
-        free(columns);
-        free(numbers);
-        return status;
-    }
-    free(all.columns);
-    free(all.numbers);
-    table->columns = columns;
-    table->numbers = numbers;
-    table->column_count = count;
-    table->capacity = all.count;
+    // Keep the chosen columns, or those of the file.
+    const csv_table *dropped = status.code == WHIRL_OK ? table : &own;
+    free(dropped->columns);
+    free(dropped->numbers);
+    if (status.code == WHIRL_OK) *table = own;
     return status;
 }
 
