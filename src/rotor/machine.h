@@ -150,7 +150,8 @@ void rotor_lanes_fill(whirl_rotor *rotor);
 /// Finds the rigid turn of a rotor whose stations twist, from its links and elements (turn.c).
 void rotor_find_turn(whirl_rotor *rotor, const assembly *from);
 
-/// Tells the shafts of a machine apart for the torques of a run. To be called after rotor_find_turn (run_shafts.c).
+/// Finds the shafts of a machine whose torques a run shows, one by one. To be called after rotor_find_turn
+/// (rotor_shafts.c).
 void rotor_find_shafts(whirl_rotor *rotor, const assembly *from);
 
 /// Computes accelerations by time from forces [degrees], N or N m, including mass coupling: out [degrees] in units of

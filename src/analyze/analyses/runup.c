@@ -78,15 +78,15 @@ static size_t runup_every_torque_and_instant_of_orbits(const block_shape *shape)
 }
 
 /// Returns the number of shafts whose torques are told apart within the turns of orbits.
-static size_t runup_shafts_told(const block_shape *shape) {
+static size_t runup_shafts_shown(const block_shape *shape) {
     const bool torques = whirl_runup_driven(&shape->options->runup) || shape->options->runup.shaft_count > 0;
     return torques && runup_every_orbit(shape) > 0 ? shape->run_shaft_count : 0;
 }
 static size_t runup_every_instant_of_shafts(const block_shape *shape) {
-    return runup_shafts_told(shape) * runup_every_instant_of_orbits(shape);
+    return runup_shafts_shown(shape) * runup_every_instant_of_orbits(shape);
 }
 static size_t runup_with_shafts(const block_shape *shape) {
-    return runup_shafts_told(shape) > 0;
+    return runup_shafts_shown(shape) > 0;
 }
 
 static size_t runup_every_instant_of_an_orbit(const block_shape *shape) {

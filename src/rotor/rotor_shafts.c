@@ -1,5 +1,5 @@
-// Shafts whose torques a run tells apart. Where stations twist these are the parts between gears; otherwise they are
-// the shafts of the design that turn at another speed than the rotor.
+// Shafts whose torques a run shows one by one. Where stations twist these are the parts between gears; otherwise they
+// are the shafts of the design that turn at another speed than the rotor.
 #include <math.h>
 #include <string.h>
 
