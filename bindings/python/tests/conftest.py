@@ -2,6 +2,7 @@ import os
 import pathlib
 import subprocess
 
+import numpy as np
 import pytest
 
 import whirl
@@ -58,6 +59,18 @@ PLANE = (
   map: {x: {parameter: omega, values: [120, 180, 220]}, y: {parameter: kappa, values: [10, 12]}}
 """
 )
+
+
+def filled(text, name, **words):
+    """Returns the case of a text in which each word, written in capitals, is replaced."""
+    for word, by in words.items():
+        text = text.replace(word.upper(), by)
+    return whirl.Case(text=text, name=name)
+
+
+def lag_of(z):
+    """Returns the lag of a complex amplitude, degrees from 0 to 360."""
+    return -np.degrees(np.angle(z)) % 360
 
 
 def command(*words, **more):

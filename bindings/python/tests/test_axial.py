@@ -5,7 +5,7 @@ import subprocess
 
 import numpy as np
 import pytest
-from conftest import COMMAND
+from conftest import COMMAND, filled, lag_of
 
 import whirl
 
@@ -61,10 +61,8 @@ study:
 
 
 def case(text, study, more="", speed="= n", **words):
-    text = text.replace("SPEED", speed).replace("MORE\n", more and more + "\n") + study
-    for word, by in words.items():
-        text = text.replace(word.upper(), by)
-    return whirl.Case(text=text, name="axial.yaml")
+    text = text.replace("MORE\n", more and more + "\n") + study
+    return filled(text, "axial.yaml", speed=speed, **words)
 
 
 def run(*of, **words):
@@ -75,10 +73,6 @@ def response(n, order=1.0):
     """Returns the complex amplitude of the mass under the harmonic force, m."""
     w = order * n
     return FORCE * np.exp(1j * PHASE) / (STIFFNESS - MASS * w**2 + 1j * DAMPING * w)
-
-
-def lag_of(z):
-    return -np.degrees(np.angle(z)) % 360
 
 
 @pytest.mark.parametrize("method", ["rk4", "dop853", "rodas5p"])

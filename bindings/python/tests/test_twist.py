@@ -5,7 +5,7 @@ import subprocess
 
 import numpy as np
 import pytest
-from conftest import COMMAND
+from conftest import COMMAND, filled, lag_of
 
 import whirl
 
@@ -41,10 +41,7 @@ SWEEP = """  sweep: {parameter: n, from: 80 rad/s, to: 120 rad/s, points: 5}
 
 
 def case(text, study, **words):
-    text = text + study
-    for word, by in {"speed": "= n", "rotation": "", **words}.items():
-        text = text.replace(word.upper(), by)
-    return whirl.Case(text=text, name="twist.yaml")
+    return filled(text + study, "twist.yaml", **{"speed": "= n", "rotation": "", **words})
 
 
 def run(*of, **words):
@@ -54,10 +51,6 @@ def run(*of, **words):
 def response(w):
     """Returns the complex amplitude of the twist, rad."""
     return TORQUE * np.exp(1j * PHASE) / (STIFFNESS - POLAR * w**2 + 1j * DAMPING * w)
-
-
-def lag_of(z):
-    return -np.degrees(np.angle(z)) % 360
 
 
 @pytest.mark.parametrize("method", ["rk4", "dop853", "rodas5p"])
